@@ -1,0 +1,10 @@
+# One VTK: ParaView's where there is a ParaView SDK, a plain VTK >= 9.1 elsewhere.
+find_package(ParaView 5.11 QUIET)
+if (ParaView_FOUND)
+  set(KALOS_WITH_PARAVIEW ON)
+  message(STATUS "Kalos: VTK of ParaView ${ParaView_VERSION}")
+else ()
+  set(KALOS_WITH_PARAVIEW OFF)
+  find_package(VTK 9.1 REQUIRED)
+  message(STATUS "Kalos: plain VTK ${VTK_VERSION}, without the ParaView plugin")
+endif ()

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Every data array that Kalos reads or writes, with its unit. Nothing else in the VTK layer spells an array name.
+ *
+ * Arrays with "1 or n components" hold one value per band: 1 component is photometric, 3 are linear Rec. 709 red, green
+ * and blue, any other n are n bands of equal luminous share. A photometric total weighs the bands by vtkKalos's
+ * convention: 1; 0.2126, 0.7152, 0.0722; or 1/n each.
+ */
+#ifndef vtkKalosArrayNames_h
+#define vtkKalosArrayNames_h
+
+namespace vtkKalosArrayNames
+{
+// Surfaces, cell data of vtkPolyData.
+constexpr const char* Reflectance = "Reflectance"; ///< diffuse reflectance [0,1), 1 or n components; required
+constexpr const char* Specular = "Specular";       ///< normal-incidence reflectance of the glossy lobe [0,1)
+constexpr const char* Roughness = "Roughness";     ///< GGX roughness of the glossy lobe (0,1]
+constexpr const char* Mirror = "Mirror";           ///< reflectance of a perfect mirror [0,1)
+constexpr const char* Exitance = "Exitance";       ///< emitted on the side of the normal, lm/m², 1 or n components
+constexpr const char* SurfaceId = "SurfaceId";     ///< index into the field data array SurfaceNames
+constexpr const char* SurfaceNames = "SurfaceNames"; ///< field data, strings
+
+// Luminaires, point data of vtkPolyData vertices.
+constexpr const char* LuminousFlux = "LuminousFlux"; ///< lm
+constexpr const char* Direction = "Direction";       ///< unit vector of the photometric axis (nadir of the table)
+constexpr const char* Up = "Up";                     ///< unit vector to the half-plane C = 90 deg of the table
+constexpr const char* Distribution = "Distribution"; ///< 0 isotropic, 1 Lambertian, 2.. a candela table of the field data
+constexpr const char* SideU = "SideU"; ///< full side of a luminous rectangle, m, 3 components; zero for a point
+constexpr const char* SideV = "SideV"; ///< the other side, m
+constexpr const char* LuminaireNames = "LuminaireNames"; ///< point data, strings
+
+// Results on receivers.
+constexpr const char* Illuminance = "Illuminance";                           ///< lx
+constexpr const char* IlluminanceStandardError = "IlluminanceStandardError"; ///< lx
+constexpr const char* DirectIlluminance = "DirectIlluminance";               ///< lx, straight from the emitters
+constexpr const char* IlluminanceBands = "IlluminanceBands";                 ///< lx, n components, when n > 1
+
+// Results on surfaces and images.
+constexpr const char* Luminance = "Luminance";                           ///< cd/m²
+constexpr const char* LuminanceStandardError = "LuminanceStandardError"; ///< cd/m²
+constexpr const char* LuminanceBands = "LuminanceBands";                 ///< cd/m², n components, when n > 1
+
+// Field data of every result.
+constexpr const char* Audit = "Audit";                     ///< strings, 3 components: subject, choice, reason
+constexpr const char* Trajectories = "Trajectories";       ///< trajectories traced over all replicates
+constexpr const char* SolveSeconds = "SolveSeconds";       ///< s, wall clock of the solve, set-up apart
+constexpr const char* SolveCpuSeconds = "SolveCpuSeconds"; ///< s, processor time of the solve
+constexpr const char* Seed = "Seed";                       ///< seed of the random numbers
+}
+
+#endif
