@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkKalosLuminaireSource.h"
+
+#include <cmath>
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkKalosArrayNames.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+namespace
+{
+bool AllFinite(const double v[3])
+{
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+/** The half-plane C = 90 deg of an axis: see the class documentation. */
+void UpOfAxis(const double axis[3], double rotationDegrees, double up[3])
+{
+  const double y[3] = {0.0, 1.0, 0.0};
+  const double z[3] = {0.0, 0.0, 1.0};
+  const bool alongY = std::hypot(axis[0], axis[2]) < 0.01;
+  const double* reference = alongY ? z : y;
+  double zero[3];  // the half-plane C = 0 completes (zero, up, -axis) to a right-handed frame
+  vtkMath::Cross(axis, reference, zero);
+  vtkMath::Normalize(zero);
+  double ninety[3];
+  vtkMath::Cross(zero, axis, ninety);
+  const double angle = vtkMath::RadiansFromDegrees(rotationDegrees);
+  for (int c = 0; c < 3; ++c)
+  {
+    up[c] = std::cos(angle) * ninety[c] - std::sin(angle) * zero[c];
+  }
+}
+
+void AddVector(vtkPointData* data, const char* name, const double v[3])
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->InsertNextTuple(v);
+  data->AddArray(array);
+}
+}  // namespace
+
+vtkStandardNewMacro(vtkKalosLuminaireSource);
+
+vtkKalosLuminaireSource::vtkKalosLuminaireSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+std::string vtkKalosLuminaireSource::Check() const
+{
+  if (!AllFinite(this->Position))
+  {
+    return "the position is not finite; expected three numbers in metres";
+  }
+  if (!AllFinite(this->Aim) || vtkMath::Norm(this->Aim) == 0.0)
+  {
+    return "the aim is zero or not finite; expected a direction";
+  }
+  if (!std::isfinite(this->RotationDegrees))
+  {
+    return "the rotation is not finite; expected degrees";
+  }
+  if (!std::isfinite(this->Flux) || this->Flux < 0.0)
+  {
+    return "the luminous flux is negative or not finite; expected at least 0 lm";
+  }
+  if (this->Shape == POINT)
+  {
+    return {};
+  }
+  double normal[3];
+  vtkMath::Cross(this->SideU, this->SideV, normal);
+  const double sides = vtkMath::Norm(this->SideU) * vtkMath::Norm(this->SideV);
+  if (!AllFinite(this->SideU) || !AllFinite(this->SideV) || !(vtkMath::Norm(normal) > 1e-12 * sides))
+  {
+    return "the luminous rectangle has no area; expected two finite sides that are neither zero nor parallel";
+  }
+  const double cosine = vtkMath::Dot(normal, this->Aim) / (vtkMath::Norm(normal) * vtkMath::Norm(this->Aim));
+  if (!(std::fabs(cosine) > 1.0 - 1e-6))
+  {
+    return "the aim is not perpendicular to the luminous rectangle; expected u x v or its opposite";
+  }
+  if (std::fabs(vtkMath::Dot(this->SideU, this->SideV)) > 1e-6 * sides)
+  {
+    return "the sides of the luminous rectangle are not perpendicular to each other; expected a rectangle";
+  }
+  return {};
+}
+
+int vtkKalosLuminaireSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  const std::string problem = this->Check();
+  if (!problem.empty())
+  {
+    vtkErrorMacro("luminaire '" << this->Name << "': " << problem);
+    return 0;
+  }
+
+  const bool rectangle = this->Shape == RECTANGLE;
+  const double none[3] = {0.0, 0.0, 0.0};
+  double direction[3] = {this->Aim[0], this->Aim[1], this->Aim[2]};
+  vtkMath::Normalize(direction);
+  double up[3];
+  UpOfAxis(direction, this->RotationDegrees, up);
+
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const vtkIdType id = points->InsertNextPoint(this->Position);
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell(1, &id);
+
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  vtkPointData* data = output->GetPointData();
+  vtkNew<vtkDoubleArray> flux;
+  flux->SetName(vtkKalosArrayNames::LuminousFlux);
+  flux->InsertNextValue(this->Flux);
+  data->AddArray(flux);
+  AddVector(data, vtkKalosArrayNames::Direction, direction);
+  AddVector(data, vtkKalosArrayNames::Up, up);
+  vtkNew<vtkIntArray> distribution;
+  distribution->SetName(vtkKalosArrayNames::Distribution);
+  distribution->InsertNextValue(rectangle ? LAMBERTIAN : this->Distribution);
+  data->AddArray(distribution);
+  AddVector(data, vtkKalosArrayNames::SideU, rectangle ? this->SideU : none);
+  AddVector(data, vtkKalosArrayNames::SideV, rectangle ? this->SideV : none);
+  vtkNew<vtkStringArray> names;
+  names->SetName(vtkKalosArrayNames::LuminaireNames);
+  names->InsertNextValue(this->Name);
+  data->AddArray(names);
+  return 1;
+}
+
+void vtkKalosLuminaireSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Name: " << this->Name << "\n";
+  os << indent << "Shape: " << (this->Shape == POINT ? "point" : "rectangle") << "\n";
+  os << indent << "Position: " << this->Position[0] << " " << this->Position[1] << " " << this->Position[2] << " m\n";
+  os << indent << "Aim: " << this->Aim[0] << " " << this->Aim[1] << " " << this->Aim[2] << "\n";
+  os << indent << "RotationDegrees: " << this->RotationDegrees << "\n";
+  os << indent << "Flux: " << this->Flux << " lm\n";
+  os << indent << "Distribution: " << (this->Distribution == ISOTROPIC ? "isotropic" : "Lambertian") << "\n";
+  os << indent << "SideU: " << this->SideU[0] << " " << this->SideU[1] << " " << this->SideU[2] << " m\n";
+  os << indent << "SideV: " << this->SideV[0] << " " << this->SideV[1] << " " << this->SideV[2] << " m\n";
+}
