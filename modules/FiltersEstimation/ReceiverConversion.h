@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From VTK data sets with normals to the kernels' receivers, and results back.
+#ifndef ReceiverConversion_h
+#define ReceiverConversion_h
+
+#include <vector>
+
+#include "estimator/Settings.h"
+
+class vtkDataObject;
+class vtkDataSet;
+
+/// The data sets of a data object (itself, or the leaves of a vtkMultiBlockDataSet), in order.
+std::vector<vtkDataSet*> LeavesOf(vtkDataObject* object);
+
+/// Appends a data set's receivers: its points where it has point normals, else its cell centres where it has cell
+/// normals. Throws std::invalid_argument when it has neither or a normal is not of finite, non-zero length.
+void AppendReceivers(vtkDataSet* dataSet, kalos::Receivers& receivers);
+
+/// Attaches the results of receivers [first, ...) to the data set that AppendReceivers() took them from; returns the
+/// number of the next receiver.
+std::size_t AttachResults(const kalos::Result& result, std::size_t first, vtkDataSet* dataSet);
+
+#endif

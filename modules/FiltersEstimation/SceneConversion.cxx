@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneConversion.h"
+
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkKalosArrayNames.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTriangleFilter.h"
+
+namespace
+{
+namespace Names = vtkKalosArrayNames;
+
+[[noreturn]] void Refuse(const char* array, const char* what, vtkIdType i, const std::string& expected)
+{
+  throw std::invalid_argument(std::string(array) + " of " + what + " " + std::to_string(i) + ": " + expected);
+}
+
+/// One value per band from an array of 1 or `bands` components.
+kalos::Bands ReadBands(vtkDataArray* array, vtkIdType cell, int bands, double below)
+{
+  kalos::Bands values{};
+  for (int b = 0; b < bands; ++b)
+  {
+    const double v = array->GetComponent(cell, array->GetNumberOfComponents() == 1 ? 0 : b);
+    if (!(v >= 0 && v < below))
+      Refuse(array->GetName(), "cell", cell,
+             "is " + std::to_string(v) + ", expected a number in [0, " + (below == 1 ? "1)" : "infinity)"));
+    values[b] = v;
+  }
+  return values;
+}
+
+int CountBands(vtkDataArray* array, int bands)
+{
+  const int n = array ? array->GetNumberOfComponents() : 1;
+  if (n > kalos::maxBands)
+    throw std::invalid_argument(std::string(array->GetName()) + ": has " + std::to_string(n) +
+                                " components, expected at most " + std::to_string(kalos::maxBands));
+  if (n != 1 && bands != 1 && n != bands)
+    throw std::invalid_argument(std::string(array->GetName()) + ": has " + std::to_string(n) +
+                                " components, expected 1 or " + std::to_string(bands));
+  return std::max(n, bands);
+}
+
+kalos::Vec3 ToVec3(const double v[3])
+{
+  return {v[0], v[1], v[2]};
+}
+
+void AddSurfaces(vtkPolyData* input, kalos::SceneDescription& scene)
+{
+  vtkNew<vtkTriangleFilter> triangulate;
+  triangulate->SetInputData(input);
+  triangulate->PassLinesOff();
+  triangulate->PassVertsOff();
+  triangulate->Update();
+  vtkPolyData* triangles = triangulate->GetOutput();
+  if (triangles->GetNumberOfCells() == 0)
+    return;
+
+  vtkDataArray* reflectance = triangles->GetCellData()->GetArray(Names::Reflectance);
+  vtkDataArray* exitance = triangles->GetCellData()->GetArray(Names::Exitance);
+  if (!reflectance)
+    throw std::invalid_argument("surfaces: the cell array Reflectance is missing");
+  scene.bands = CountBands(exitance, CountBands(reflectance, 1));
+
+  for (vtkIdType i = 0; i < triangles->GetNumberOfPoints(); ++i)
+    scene.points.push_back(ToVec3(triangles->GetPoint(i)));
+
+  // Cells of equal properties share a material.
+  std::map<std::pair<kalos::Bands, kalos::Bands>, std::uint32_t> known;
+  auto cells = vtk::TakeSmartPointer(triangles->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType count;
+    const vtkIdType* ids;
+    cells->GetCurrentCell(count, ids);
+    const vtkIdType cell = cells->GetCurrentCellId();
+    kalos::Material material;
+    material.reflectance = ReadBands(reflectance, cell, scene.bands, 1);
+    if (exitance)
+      material.exitance = ReadBands(exitance, cell, scene.bands, std::numeric_limits<double>::infinity());
+    const auto found = known.emplace(std::make_pair(material.reflectance, material.exitance), scene.materials.size());
+    if (found.second)
+      scene.materials.push_back(material);
+    scene.triangles.push_back(
+        {static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]), static_cast<std::uint32_t>(ids[2])});
+    scene.triangleMaterial.push_back(found.first->second);
+  }
+}
+
+kalos::Vec3 ReadVector(vtkPolyData* luminaires, const char* name, vtkIdType i, const kalos::Vec3& absent)
+{
+  vtkDataArray* array = luminaires->GetPointData()->GetArray(name);
+  if (!array)
+    return absent;
+  if (array->GetNumberOfComponents() != 3)
+    throw std::invalid_argument(std::string(name) + ": has " + std::to_string(array->GetNumberOfComponents()) +
+                                " components, expected 3");
+  const kalos::Vec3 v = ToVec3(array->GetTuple3(i));
+  if (!kalos::isFinite(v))
+    Refuse(name, "luminaire", i, "must be finite");
+  return v;
+}
+
+void AddLuminaires(vtkPolyData* input, kalos::SceneDescription& scene)
+{
+  vtkDataArray* flux = input->GetPointData()->GetArray(Names::LuminousFlux);
+  vtkDataArray* distribution = input->GetPointData()->GetArray(Names::Distribution);
+  if (!flux)
+    throw std::invalid_argument("luminaires: the point array LuminousFlux is missing");
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    kalos::Luminaire l;
+    l.position = ToVec3(input->GetPoint(i));
+    l.flux = flux->GetComponent(i, 0);
+    if (!kalos::isFinite(l.position))
+      Refuse("position", "luminaire", i, "must be finite");
+    if (!(l.flux >= 0 && std::isfinite(l.flux)))
+      Refuse(Names::LuminousFlux, "luminaire", i, "is " + std::to_string(l.flux) + ", expected lumens >= 0");
+    const kalos::Vec3 axis = ReadVector(input, Names::Direction, i, {0, 0, -1});
+    if (!(kalos::length(axis) > 0))
+      Refuse(Names::Direction, "luminaire", i, "must not be zero");
+    l.axis = kalos::normalized(axis);
+    l.sideU = ReadVector(input, Names::SideU, i, {});
+    l.sideV = ReadVector(input, Names::SideV, i, {});
+    if (!l.isPoint() && !(kalos::length(kalos::cross(l.sideU, l.sideV)) > 0))
+      Refuse(Names::SideV, "luminaire", i, "spans no area with SideU");
+    const int kind = distribution ? static_cast<int>(distribution->GetComponent(i, 0)) : 1;
+    if (kind < 0 || kind > 1)
+      Refuse(Names::Distribution, "luminaire", i,
+             "is " + std::to_string(kind) + ", expected 0 (isotropic) or 1 (Lambertian)");
+    l.distribution = kind == 0 && l.isPoint() ? kalos::Distribution::Isotropic : kalos::Distribution::Lambertian;
+    scene.luminaires.push_back(l);
+  }
+}
+}  // namespace
+
+kalos::SceneDescription MakeSceneDescription(vtkPolyData* surfaces, vtkPolyData* luminaires)
+{
+  kalos::SceneDescription scene;
+  AddSurfaces(surfaces, scene);
+  if (luminaires)
+    AddLuminaires(luminaires, scene);
+  if (scene.triangles.empty() && scene.luminaires.empty())
+    throw std::invalid_argument("surfaces: no triangles and no luminaires, there is nothing to estimate");
+  return scene;
+}

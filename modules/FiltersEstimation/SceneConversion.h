@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From VTK's surfaces and luminaires to the kernels' scene.
+#ifndef SceneConversion_h
+#define SceneConversion_h
+
+#include "scene/Scene.h"
+
+class vtkPolyData;
+
+/// Polygons are triangulated; cell arrays become materials. `luminaires` may be null. Throws std::invalid_argument,
+/// naming the array and the cell or point, for missing arrays and values out of range.
+kalos::SceneDescription MakeSceneDescription(vtkPolyData* surfaces, vtkPolyData* luminaires);
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkKalosEstimatorAlgorithm.h"
+
+#include "estimator/Settings.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkKalosArrayNames.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+
+kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings() const
+{
+  kalos::Settings settings;
+  settings.method = static_cast<kalos::Method>(this->Method);
+  settings.trajectories = this->Trajectories;
+  settings.relativeError = this->RelativeError;
+  settings.seconds = this->Seconds;
+  settings.seed = static_cast<std::uint64_t>(this->Seed);
+  settings.threads = this->Threads;
+  settings.delta = this->Delta;
+  settings.epsilon = this->Epsilon;
+  return settings;
+}
+
+bool vtkKalosEstimatorAlgorithm::ReportProgress(double fraction)
+{
+  this->UpdateProgress(fraction);
+  return !this->GetAbortExecute();
+}
+
+namespace
+{
+template <class Array, class Value>
+void AddValue(vtkFieldData* fieldData, const char* name, Value value)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  fieldData->AddArray(array);
+}
+}  // namespace
+
+void vtkKalosEstimatorAlgorithm::Describe(const kalos::Result& result, vtkFieldData* fieldData) const
+{
+  vtkNew<vtkStringArray> audit;
+  audit->SetName(vtkKalosArrayNames::Audit);
+  audit->SetNumberOfComponents(3);
+  for (const auto& line : result.audit)
+  {
+    audit->InsertNextValue(line.subject);
+    audit->InsertNextValue(line.choice);
+    audit->InsertNextValue(line.reason);
+  }
+  fieldData->AddArray(audit);
+  AddValue<vtkIdTypeArray>(fieldData, vtkKalosArrayNames::Trajectories, static_cast<vtkIdType>(result.trajectories));
+  AddValue<vtkDoubleArray>(fieldData, vtkKalosArrayNames::SolveSeconds, result.seconds);
+  AddValue<vtkDoubleArray>(fieldData, vtkKalosArrayNames::SolveCpuSeconds, result.cpuSeconds);
+  AddValue<vtkIdTypeArray>(fieldData, vtkKalosArrayNames::Seed, this->Seed);
+}
+
+void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Trajectories: " << this->Trajectories << "\n";
+  os << indent << "RelativeError: " << this->RelativeError << "\n";
+  os << indent << "Seconds: " << this->Seconds << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "Threads: " << this->Threads << "\n";
+  os << indent << "Delta: " << this->Delta << "\n";
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkKalosEstimatorAlgorithm
+ * @brief Settings that every estimating filter shares.
+ *
+ * The method, its effort and its goals. Without a goal the filter runs Trajectories; with one, until the first of:
+ * every value's 95 % half-width is within RelativeError of it, Seconds have passed, Trajectories are used up.
+ * Every filter attaches to its output the field data arrays Audit (what was modelled and why), Trajectories,
+ * SolveSeconds, SolveCpuSeconds and Seed. It reports progress and obeys AbortExecute. The same seed gives the same
+ * numbers, bit by bit, for any number of threads.
+ *
+ * Errors: settings out of range, surfaces without the array Reflectance, values out of range or not finite give an
+ * ErrorEvent and no output.
+ */
+#ifndef vtkKalosEstimatorAlgorithm_h
+#define vtkKalosEstimatorAlgorithm_h
+
+#include "vtkDataObjectAlgorithm.h"
+#include "vtkKalosFiltersEstimationModule.h"  // for export macro
+
+class vtkFieldData;
+
+namespace kalos
+{
+struct Result;
+struct Settings;
+}  // namespace kalos
+
+class VTKKALOSFILTERSESTIMATION_EXPORT vtkKalosEstimatorAlgorithm : public vtkDataObjectAlgorithm
+{
+public:
+  vtkTypeMacro(vtkKalosEstimatorAlgorithm, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum MethodType
+  {
+    LOCAL = 0,
+    SPHERE_PUBLISHED = 1,
+    SPHERE_EXACT = 2,
+    DISC = 3,
+    CLAMPED = 4,
+    COMPENSATED = 5,
+    GATHERED = 6,
+    DIRECT = 7
+  };
+
+  ///@{
+  /**
+   * The estimator, a MethodType. Default LOCAL.
+   */
+  vtkSetMacro(Method, int);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /**
+   * Upper limit of trajectories over all replicates. Default 0: 10 000 without a goal, no limit with one.
+   */
+  vtkSetMacro(Trajectories, vtkIdType);
+  vtkGetMacro(Trajectories, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Goal: relative 95 % half-width at every receiver, in [0,1). Default 0: no such goal.
+   */
+  vtkSetMacro(RelativeError, double);
+  vtkGetMacro(RelativeError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Goal: time of the solve, s. Default 0: no such goal.
+   */
+  vtkSetMacro(Seconds, double);
+  vtkGetMacro(Seconds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Seed of the random numbers. Default 1.
+   */
+  vtkSetMacro(Seed, vtkIdType);
+  vtkGetMacro(Seed, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Threads. Default 0: all processors.
+   */
+  vtkSetMacro(Threads, int);
+  vtkGetMacro(Threads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance below which the sphere methods average, m. Default 0: automatic.
+   */
+  vtkSetMacro(Delta, double);
+  vtkGetMacro(Delta, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the averaging sphere or disc, half side of a point's cell for DIRECT, m. Default 0: automatic.
+   */
+  vtkSetMacro(Epsilon, double);
+  vtkGetMacro(Epsilon, double);
+  ///@}
+
+protected:
+  vtkKalosEstimatorAlgorithm() = default;
+  ~vtkKalosEstimatorAlgorithm() override = default;
+
+  kalos::Settings MakeSettings() const;
+
+  /// Reports progress to VTK and returns false when the user aborts.
+  bool ReportProgress(double fraction);
+
+  /// Attaches the field data of the class comment.
+  void Describe(const kalos::Result& result, vtkFieldData* fieldData) const;
+
+  int Method = LOCAL;
+  vtkIdType Trajectories = 0;
+  double RelativeError = 0;
+  double Seconds = 0;
+  vtkIdType Seed = 1;
+  int Threads = 0;
+  double Delta = 0;
+  double Epsilon = 0;
+
+private:
+  vtkKalosEstimatorAlgorithm(const vtkKalosEstimatorAlgorithm&) = delete;
+  void operator=(const vtkKalosEstimatorAlgorithm&) = delete;
+};
+
+#endif

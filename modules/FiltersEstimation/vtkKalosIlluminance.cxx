@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkKalosIlluminance.h"
+
+#include <exception>
+
+#include "ReceiverConversion.h"
+#include "SceneConversion.h"
+#include "estimator/Solver.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+vtkStandardNewMacro(vtkKalosIlluminance);
+
+vtkKalosIlluminance::vtkKalosIlluminance()
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+int vtkKalosIlluminance::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    // The composite type comes first: all blocks are solved together, not one by one.
+    info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+    return 1;
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 2)
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+int vtkKalosIlluminance::RequestDataObject(vtkInformation*, vtkInformationVector** inputs,
+                                           vtkInformationVector* outputs)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  if (!input)
+    return 0;
+  if (!output || !output->IsA(input->GetClassName()))
+  {
+    auto fresh = vtk::TakeSmartPointer(input->NewInstance());
+    outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), fresh);
+  }
+  return 1;
+}
+
+int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  try
+  {
+    vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+    vtkSmartPointer<vtkDataObject> solved;
+    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(input))
+    {
+      auto copy = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+      copy->RecursiveShallowCopy(blocks);
+      solved = copy;
+    }
+    else
+    {
+      solved = vtk::TakeSmartPointer(input->NewInstance());
+      solved->ShallowCopy(input);
+    }
+
+    const kalos::Scene scene(MakeSceneDescription(vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(inputs[2])));
+    kalos::Receivers receivers;
+    const std::vector<vtkDataSet*> leaves = LeavesOf(solved);
+    for (vtkDataSet* leaf : leaves)
+      AppendReceivers(leaf, receivers);
+
+    const kalos::Result result =
+        kalos::solve(scene, receivers, this->MakeSettings(), [this](double f) { return this->ReportProgress(f); });
+    if (result.aborted)
+      return 1;
+    std::size_t next = 0;
+    for (vtkDataSet* leaf : leaves)
+    {
+      next = AttachResults(result, next, leaf);
+      this->Describe(result, leaf->GetFieldData());
+    }
+    this->Describe(result, solved->GetFieldData());
+    output->ShallowCopy(solved);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    output->Initialize();
+    return 0;
+  }
+  return 1;
+}

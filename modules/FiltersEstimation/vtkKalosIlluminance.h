@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkKalosIlluminance
+ * @brief Illuminance at the points or cells of any data set, with a standard error each.
+ *
+ * Inputs
+ * - port 0, receivers: a vtkDataSet with point normals (receivers are its points) or else cell normals (receivers are
+ * its cell centres), or a vtkMultiBlockDataSet of such. All receivers share one set of trajectories.
+ * - port 1, surfaces: vtkPolyData with the cell array Reflectance and optionally Exitance (lm/m²).
+ * - port 2, luminaires (optional): vtkPolyData vertices with the point array LuminousFlux (lm) and optionally
+ * Direction, Distribution, SideU and SideV.
+ *
+ * Output: the receivers, of the same type, with the arrays Illuminance (lx), IlluminanceStandardError (lx),
+ * DirectIlluminance (lx) and, when the surfaces have n > 1 bands, IlluminanceBands (lx, n components); and the field
+ * data of vtkKalosEstimatorAlgorithm.
+ *
+ * The methods are described in the headers of modules/Kernels/estimator; LOCAL is equation (E1):
+ * E(r) = E_direct(r) + sum w_i (rho/pi) cos(theta) cos(theta') V / d^2.
+ */
+#ifndef vtkKalosIlluminance_h
+#define vtkKalosIlluminance_h
+
+#include "vtkKalosEstimatorAlgorithm.h"
+
+class VTKKALOSFILTERSESTIMATION_EXPORT vtkKalosIlluminance : public vtkKalosEstimatorAlgorithm
+{
+public:
+  static vtkKalosIlluminance* New();
+  vtkTypeMacro(vtkKalosIlluminance, vtkKalosEstimatorAlgorithm);
+
+protected:
+  vtkKalosIlluminance();
+  ~vtkKalosIlluminance() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkKalosIlluminance(const vtkKalosIlluminance&) = delete;
+  void operator=(const vtkKalosIlluminance&) = delete;
+};
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkKalosLuminanceImage.h"
+
+#include <exception>
+
+#include "SceneConversion.h"
+#include "estimator/LuminanceImage.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkKalosArrayNames.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+vtkStandardNewMacro(vtkKalosLuminanceImage);
+
+vtkKalosLuminanceImage::vtkKalosLuminanceImage()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+int vtkKalosLuminanceImage::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1)
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+int vtkKalosLuminanceImage::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkImageData");
+  return 1;
+}
+
+int vtkKalosLuminanceImage::RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  if (!vtkImageData::GetData(outputs))
+    outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), vtkSmartPointer<vtkImageData>::New());
+  return 1;
+}
+
+int vtkKalosLuminanceImage::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  const int extent[6] = {0, this->Resolution[0] - 1, 0, this->Resolution[1] - 1, 0, 0};
+  outputs->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  return 1;
+}
+
+namespace
+{
+kalos::Vec3 ToVec3(const double v[3])
+{
+  return {v[0], v[1], v[2]};
+}
+
+void AddPixels(vtkImageData* image, const char* name, const std::vector<double>& values, int components = 1)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(image->GetNumberOfPoints());
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  image->GetPointData()->AddArray(array);
+}
+}  // namespace
+
+int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkImageData* output = vtkImageData::GetData(outputs);
+  try
+  {
+    const kalos::Scene scene(MakeSceneDescription(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1])));
+    const kalos::Camera camera{ToVec3(this->Position), ToVec3(this->Target), ToVec3(this->Up),
+                               this->FieldOfView,      this->Resolution[0],  this->Resolution[1]};
+    const kalos::LuminanceResult result = kalos::solveLuminance(scene, camera, this->MakeSettings(),
+                                                                [this](double f) { return this->ReportProgress(f); });
+    if (result.estimate.aborted)
+      return 1;
+    output->SetDimensions(camera.width, camera.height, 1);
+    AddPixels(output, vtkKalosArrayNames::Luminance, result.luminance);
+    AddPixels(output, vtkKalosArrayNames::LuminanceStandardError, result.standardError);
+    if (result.bands > 1)
+      AddPixels(output, vtkKalosArrayNames::LuminanceBands, result.luminanceBands, result.bands);
+    output->GetPointData()->SetActiveScalars(vtkKalosArrayNames::Luminance);
+    this->Describe(result.estimate, output->GetFieldData());
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    output->Initialize();
+    return 0;
+  }
+  return 1;
+}
+
+void vtkKalosLuminanceImage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  auto print = [&](const char* name, const double v[3])
+  { os << indent << name << ": " << v[0] << " " << v[1] << " " << v[2] << "\n"; };
+  print("Position", this->Position);
+  print("Target", this->Target);
+  print("Up", this->Up);
+  os << indent << "FieldOfView: " << this->FieldOfView << "\n";
+  os << indent << "Resolution: " << this->Resolution[0] << " " << this->Resolution[1] << "\n";
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/Emission.h"
+
+#include "sampling/Warp.h"
+
+namespace kalos
+{
+Emission::Emission(const Scene& scene) : Lit(scene)
+{
+  auto add = [this](double flux) { this->Cumulative.push_back(this->TotalFlux += flux); };
+  for (const Luminaire& luminaire : scene.data().luminaires)
+    add(luminaire.flux);
+  const auto count = static_cast<std::uint32_t>(scene.data().triangles.size());
+  for (std::uint32_t t = 0; t < count; ++t)
+  {
+    const double exitance = photometric(scene.material(t).exitance, scene.bands());
+    if (!(exitance > 0))
+      continue;
+    this->Triangles.push_back(t);
+    add(exitance * scene.area(t));
+  }
+}
+
+EmissionSample Emission::sample(RandomStream& random) const
+{
+  const double target = random.next() * this->TotalFlux;
+  const auto found = std::upper_bound(this->Cumulative.begin(), this->Cumulative.end(), target);
+  const auto i = std::min<std::size_t>(found - this->Cumulative.begin(), this->Cumulative.size() - 1);
+  const auto& luminaires = this->Lit.data().luminaires;
+  return i < luminaires.size() ? this->fromLuminaire(luminaires[i], random)
+                               : this->fromTriangle(this->Triangles[i - luminaires.size()], random);
+}
+
+EmissionSample Emission::fromLuminaire(const Luminaire& luminaire, RandomStream& random) const
+{
+  EmissionSample start;
+  start.position = luminaire.position;
+  start.normal = luminaire.axis;
+  start.weight = uniformBands(this->TotalFlux);
+  if (!luminaire.isPoint())
+  {
+    const double u = random.next() - 0.5, v = random.next() - 0.5;
+    start.position += u * luminaire.sideU + v * luminaire.sideV;
+  }
+  const double u1 = random.next(), u2 = random.next();
+  start.direction = sampleDirection(luminaire, u1, u2);
+  // A lamp mounted flush with a ceiling shines into the room.
+  if (luminaire.distribution == Distribution::Lambertian)
+    start.position = this->Lit.offset(start.position, luminaire.axis);
+  return start;
+}
+
+EmissionSample Emission::fromTriangle(std::uint32_t t, RandomStream& random) const
+{
+  double b1, b2;
+  const double u1 = random.next(), u2 = random.next();
+  uniformTriangle(u1, u2, b1, b2);
+  const Vec3 a = this->Lit.corner(t, 0);
+  EmissionSample start;
+  start.onSurface = true;
+  start.normal = this->Lit.normal(t);
+  start.position = a + b1 * (this->Lit.corner(t, 1) - a) + b2 * (this->Lit.corner(t, 2) - a);
+  const double v1 = random.next(), v2 = random.next();
+  start.direction = Frame(start.normal).toWorld(cosineHemisphere(v1, v2));
+  const Bands& exitance = this->Lit.material(t).exitance;
+  const double scale = this->TotalFlux / photometric(exitance, this->Lit.bands());
+  for (int b = 0; b < maxBands; ++b)
+    start.weight[b] = scale * exitance[b];
+  return start;
+}
+}  // namespace kalos

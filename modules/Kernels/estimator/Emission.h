@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where trajectories start: luminaires and emitting triangles, chosen in proportion to their flux.
+#ifndef kalos_estimator_Emission_h
+#define kalos_estimator_Emission_h
+
+#include <vector>
+
+#include "sampling/Random.h"
+#include "scene/Scene.h"
+
+namespace kalos
+{
+struct EmissionSample
+{
+  Vec3 position, direction;
+  Vec3 normal;             ///< of the emitting surface; meaningless for a point
+  bool onSurface = false;  ///< from a mesh (else from a luminaire, which has no body)
+  Bands weight;            ///< flux per band, lm, if this were the only trajectory
+};
+
+class Emission
+{
+public:
+  explicit Emission(const Scene& scene);
+
+  double totalFlux() const { return this->TotalFlux; }  ///< lm, photometric
+
+  /// Draws an emitter, a point on it and a direction; every sample carries the whole photometric flux.
+  EmissionSample sample(RandomStream& random) const;
+
+private:
+  EmissionSample fromLuminaire(const Luminaire& luminaire, RandomStream& random) const;
+  EmissionSample fromTriangle(std::uint32_t triangle, RandomStream& random) const;
+
+  const Scene& Lit;
+  std::vector<std::uint32_t> Triangles;  // the emitting ones
+  std::vector<double> Cumulative;        // flux up to and including luminaire or triangle i
+  double TotalFlux = 0;
+};
+}  // namespace kalos
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one interface of all methods: add a round of trajectories of every replicate to a tally.
+#ifndef kalos_estimator_Estimator_h
+#define kalos_estimator_Estimator_h
+
+#include <memory>
+
+#include "estimator/Settings.h"
+#include "estimator/Tally.h"
+#include "estimator/Workers.h"
+#include "scene/Scene.h"
+
+namespace kalos
+{
+class Estimator
+{
+public:
+  virtual ~Estimator() = default;
+
+  /// Work that does not depend on trajectories (exact direct light). Returns false when aborted.
+  virtual bool prepare(Workers& workers, Tally& tally) = 0;
+
+  /// Adds the scores of trajectories [first, first + count) of every replicate, each as if its trajectory were the only
+  /// one. Returns false when aborted, which leaves the tally without meaning.
+  virtual bool addRound(long long first, int count, Workers& workers, Tally& tally) = 0;
+
+  /// What the method found it need not model, and why.
+  virtual std::vector<AuditLine> audit() const = 0;
+};
+
+/// The estimator of settings.method. Throws std::invalid_argument for settings without meaning.
+std::unique_ptr<Estimator> makeEstimator(const Scene& scene, const Receivers& receivers, const Settings& settings);
+}  // namespace kalos
+
+#endif

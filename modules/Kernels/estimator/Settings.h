@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a user asks of a solve, and what comes back.
+#ifndef kalos_estimator_Settings_h
+#define kalos_estimator_Settings_h
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "geometry/Vector.h"
+
+namespace kalos
+{
+enum class Method
+{
+  Local,
+  SpherePublished,
+  SphereExact,
+  Disc,
+  Clamped,
+  Compensated,
+  Gathered,
+  Direct
+};
+
+struct Settings
+{
+  Method method = Method::Local;
+  long long trajectories = 0;  ///< upper limit over all replicates; 0: no limit with a goal below, else 10 000
+  double relativeError = 0;    ///< goal: 95 % half-width over value at every receiver; 0: no such goal
+  double seconds = 0;          ///< goal: stop after this time; 0: no such goal
+  std::uint64_t seed = 1;
+  int threads = 0;     ///< 0: all processors
+  double delta = 0;    ///< m, distance below which the sphere methods average; <= 0: automatic
+  double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; <= 0: automatic
+};
+
+/// Points where the illuminance is wanted, in world coordinates.
+struct Receivers
+{
+  std::vector<Vec3> points;
+  std::vector<Vec3> normals;             ///< unit
+  std::vector<std::vector<Vec3>> cells;  ///< corners of each receiver's own polygon; empty, or an empty cell: a point
+};
+
+struct AuditLine
+{
+  std::string subject, choice, reason;
+};
+
+struct Result
+{
+  int bands = 1;
+  std::vector<double> illuminance;       ///< lx, photometric
+  std::vector<double> standardError;     ///< lx, of the photometric illuminance
+  std::vector<double> direct;            ///< lx, photometric, straight from the emitters
+  std::vector<double> illuminanceBands;  ///< lx, bands() values per receiver
+  long long trajectories = 0;
+  int replicates = 0;
+  bool aborted = false;
+  double seconds = 0, cpuSeconds = 0;
+  std::vector<AuditLine> audit;
+};
+
+/// Called now and then on the thread that called solve(), with a fraction in [0,1]; returns false to abort.
+using Progress = std::function<bool(double)>;
+}  // namespace kalos
+
+#endif

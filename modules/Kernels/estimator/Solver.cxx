@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/Solver.h"
+
+#include <ctime>
+#include <limits>
+#include <stdexcept>
+
+#include "estimator/Estimator.h"
+
+namespace kalos
+{
+namespace
+{
+constexpr long long defaultTrajectories = 10000;
+constexpr long long unlimited = std::numeric_limits<long long>::max() / 64;
+constexpr int largestRound = 8192;  // trajectories per replicate: bounds the memory of the vertices
+constexpr int firstRound = 64;      // with a goal: enough for a first standard error
+
+void check(const Receivers& receivers, const Settings& s)
+{
+  auto require = [](bool condition, const std::string& message)
+  {
+    if (!condition)
+      throw std::invalid_argument(message);
+  };
+  require(s.trajectories >= 0, "trajectories: must be 0 (automatic) or more");
+  require(s.relativeError >= 0 && s.relativeError < 1, "error: must lie in [0, 1)");
+  require(s.seconds >= 0 && std::isfinite(s.seconds), "time: must be 0 (no limit) or more seconds");
+  require(s.threads >= 0, "threads: must be 0 (all) or more");
+  require(std::isfinite(s.delta), "delta: must be a finite length in metres");
+  require(std::isfinite(s.epsilon), "epsilon: must be a finite length in metres");
+  require(receivers.points.size() == receivers.normals.size(), "receivers: one normal per point is expected");
+  for (std::size_t i = 0; i < receivers.points.size(); ++i)
+  {
+    require(isFinite(receivers.points[i]), "receiver " + std::to_string(i) + ": coordinates must be finite");
+    require(std::abs(length(receivers.normals[i]) - 1) < 1e-3,
+            "receiver " + std::to_string(i) + ": its normal must be a unit vector");
+  }
+}
+
+// Decides how many trajectories per replicate come next; 0 when the work is done.
+class Schedule
+{
+public:
+  Schedule(const Settings& settings, int replicates, long long limit)
+      : Wanted(settings), Limit((limit + replicates - 1) / replicates), Quantile(studentQuantile(0.95, replicates - 1))
+  {
+  }
+
+  bool hasGoal() const { return this->Wanted.relativeError > 0 || this->Wanted.seconds > 0; }
+
+  int next(long long done, double seconds, const Tally& tally)
+  {
+    long long target = this->Limit;
+    this->Fraction = static_cast<double>(done) / static_cast<double>(this->Limit);
+    if (this->hasGoal() && done == 0)
+      target = firstRound;
+    else if (this->hasGoal())
+    {
+      target = 4 * done;
+      if (this->Wanted.relativeError > 0)
+      {
+        // The variance falls as 1/n: aim a little beyond the goal, so that one more round mostly suffices.
+        const double ratio = this->largestRelativeHalfWidth(done, tally) / this->Wanted.relativeError;
+        if (ratio <= 1)
+          return 0;
+        this->Fraction = std::max(this->Fraction, 1 / (ratio * ratio));
+        target = std::min(target, static_cast<long long>(1.1 * ratio * ratio * static_cast<double>(done)) + 1);
+      }
+      if (this->Wanted.seconds > 0)
+      {
+        const double left = this->Wanted.seconds - seconds, each = seconds / static_cast<double>(done);
+        this->Fraction = std::max(this->Fraction, seconds / this->Wanted.seconds);
+        if (left < each)
+          return 0;
+        target = std::min(target, done + static_cast<long long>(0.9 * left / each) + 1);
+      }
+    }
+    return static_cast<int>(std::min<long long>(largestRound, std::min(target, this->Limit) - done));
+  }
+
+  double fraction() const { return std::min(1.0, this->Fraction); }
+
+private:
+  double largestRelativeHalfWidth(long long done, const Tally& tally) const
+  {
+    double largest = 0;
+    for (std::size_t r = 0; r < tally.receivers(); ++r)
+    {
+      const MeanAndError m = tally.summary(r, done);
+      if (m.standardError > 0)
+        largest = std::max(largest, this->Quantile * m.standardError / std::abs(m.mean));
+    }
+    return largest;
+  }
+
+  Settings Wanted;
+  long long Limit;
+  double Quantile, Fraction = 0;
+};
+
+double secondsSince(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+}  // namespace
+
+Result solve(const Scene& scene, const Receivers& receivers, const Settings& settings, const Progress& progress)
+{
+  check(receivers, settings);
+  const bool goal = settings.relativeError > 0 || settings.seconds > 0;
+  const long long limit = settings.trajectories ? settings.trajectories : goal ? unlimited : defaultTrajectories;
+  const int replicates = replicateCount(goal ? 32 : limit);
+
+  const std::unique_ptr<Estimator> estimator = makeEstimator(scene, receivers, settings);
+  Workers workers(settings.threads, progress);
+  Tally tally(receivers.points.size(), replicates, scene.bands());
+  Schedule schedule(settings, replicates, limit);
+  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t cpuStart = std::clock();
+
+  Result result;
+  long long done = 0;
+  bool running = estimator->prepare(workers, tally);
+  while (running)
+  {
+    const int count = schedule.next(done, secondsSince(start), tally);
+    if (count <= 0)
+      break;
+    workers.setSpan(schedule.fraction(),
+                    schedule.hasGoal() ? schedule.fraction()
+                                       : static_cast<double>(done + count) * replicates / static_cast<double>(limit));
+    running = estimator->addRound(done, count, workers, tally);
+    if (running)
+      done += count;
+  }
+  result.aborted = !running;
+  if (running)
+    tally.write(std::max(1LL, done), result);
+  result.trajectories = done * replicates;
+  result.seconds = secondsSince(start);
+  result.cpuSeconds = static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC;
+  result.audit = estimator->audit();
+  return result;
+}
+}  // namespace kalos

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs a method in rounds until its goal is met.
+#ifndef kalos_estimator_Solver_h
+#define kalos_estimator_Solver_h
+
+#include "estimator/Settings.h"
+#include "scene/Scene.h"
+
+namespace kalos
+{
+/// Illuminance at the receivers. Without a goal (error or seconds) it runs settings.trajectories; with one, until the
+/// first of: every receiver's 95 % half-width is within the relative error, the time is up, the trajectories are used.
+/// Same scene, receivers and settings (without `seconds`): bitwise the same result for any number of threads.
+/// Throws std::invalid_argument, naming the setting or the receiver, for input without meaning.
+Result solve(const Scene& scene, const Receivers& receivers, const Settings& settings, const Progress& progress = {});
+}  // namespace kalos
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Threads, progress and abort of one solve.
+#ifndef kalos_estimator_Workers_h
+#define kalos_estimator_Workers_h
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "estimator/Settings.h"
+
+namespace kalos
+{
+class Workers
+{
+public:
+  /// threads 0: all processors. `progress` is called on the constructing thread only, at most 20 times a second.
+  Workers(int threads, Progress progress)
+      : Arena(threads > 0 ? threads : tbb::task_arena::automatic), Report(std::move(progress))
+  {
+  }
+
+  /// Runs body(i) for i in [0, count) on the threads; returns false when the run was aborted.
+  template <class Body>
+  bool forEach(std::size_t count, const Body& body)
+  {
+    if (count == 0)
+      return !this->Aborted;
+    std::atomic<std::size_t> finished{0};
+    this->Arena.execute(
+        [&]
+        {
+          tbb::parallel_for(
+              tbb::blocked_range<std::size_t>(0, count, 1),
+              [&](const tbb::blocked_range<std::size_t>& range)
+              {
+                for (std::size_t i = range.begin(); i != range.end(); ++i)
+                {
+                  if (this->Aborted)
+                    return;
+                  body(i);
+                  this->tell(static_cast<double>(++finished) / static_cast<double>(count));
+                }
+              },
+              tbb::simple_partitioner());
+        });
+    return !this->Aborted;
+  }
+
+  /// The next forEach() covers this part of the whole work.
+  void setSpan(double from, double to)
+  {
+    this->From = from;
+    this->To = to;
+  }
+
+  bool aborted() const { return this->Aborted; }
+
+private:
+  void tell(double fraction)
+  {
+    if (!this->Report || std::this_thread::get_id() != this->Caller)
+      return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - this->LastTold < std::chrono::milliseconds(50))
+      return;
+    this->LastTold = now;
+    if (!this->Report(this->From + fraction * (this->To - this->From)))
+      this->Aborted = true;
+  }
+
+  tbb::task_arena Arena;
+  Progress Report;
+  std::thread::id Caller = std::this_thread::get_id();
+  std::chrono::steady_clock::time_point LastTold{};
+  std::atomic<bool> Aborted{false};
+  double From = 0, To = 1;
+};
+}  // namespace kalos
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Looks at a scene before it is solved and says what needs to be modelled.
+#ifndef kalos_scene_Audit_h
+#define kalos_scene_Audit_h
+
+#include "scene/Scene.h"
+
+namespace kalos
+{
+struct Audit
+{
+  /// No shadow ray is needed: every triangle lies on the boundary of the scene's convex hull, and all receivers and
+  /// luminaires lie in the hull, so that nothing can stand between any two of them.
+  bool unoccluded = false;
+  std::uint32_t emittingTriangles = 0;
+};
+
+/// `receivers` in scene coordinates. Looks for a convex hull only in scenes of up to 512 triangles.
+Audit auditScene(const Scene& scene, const std::vector<Vec3>& receivers);
+}  // namespace kalos
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/Scene.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace kalos
+{
+namespace
+{
+void require(bool condition, const std::string& message)
+{
+  if (!condition)
+    throw std::invalid_argument(message);
+}
+
+void check(const SceneDescription& d)
+{
+  require(d.bands >= 1 && d.bands <= maxBands, "bands: must be 1 to " + std::to_string(maxBands));
+  require(d.triangleMaterial.size() == d.triangles.size(), "triangleMaterial: one entry per triangle is expected");
+  for (std::size_t i = 0; i < d.points.size(); ++i)
+    require(isFinite(d.points[i]), "point " + std::to_string(i) + ": coordinates must be finite");
+  for (std::size_t i = 0; i < d.triangles.size(); ++i)
+  {
+    for (auto corner : d.triangles[i])
+      require(corner < d.points.size(), "triangle " + std::to_string(i) + ": names a point that does not exist");
+    require(d.triangleMaterial[i] < d.materials.size(), "triangle " + std::to_string(i) + ": has no material");
+  }
+}
+}  // namespace
+
+Vec3 Scene::recentre(SceneDescription& d, double& size)
+{
+  check(d);
+  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  auto include = [&](const Vec3& p)
+  {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  };
+  for (const Vec3& p : d.points)
+    include(p);
+  if (d.points.empty())
+    for (const Luminaire& l : d.luminaires)
+      include(l.position);
+  if (d.points.empty() && d.luminaires.empty())
+    include({});
+  const Vec3 centre = 0.5 * (low + high);
+  size = maxAbs(high - low);
+  for (Vec3& p : d.points)
+    p = p - centre;
+  for (Luminaire& l : d.luminaires)
+    l.position = l.position - centre;
+  return centre;
+}
+
+Scene::Scene(SceneDescription description)
+    : Data(std::move(description)),
+      Origin(recentre(this->Data, this->Size)),
+      Rays(this->Data.points, this->Data.triangles)
+{
+  const auto count = static_cast<std::uint32_t>(this->Data.triangles.size());
+  this->Normals.resize(count);
+  this->Areas.resize(count);
+  for (std::uint32_t t = 0; t < count; ++t)
+  {
+    const Vec3 a = this->corner(t, 0);
+    const Vec3 twiceArea = cross(this->corner(t, 1) - a, this->corner(t, 2) - a);
+    this->Areas[t] = 0.5 * length(twiceArea);
+    require(this->Areas[t] > 0, "triangle " + std::to_string(t) + ": has no area");
+    this->Normals[t] = normalized(twiceArea);
+    this->SurfaceArea += this->Areas[t];
+  }
+}
+
+SurfacePoint Scene::trace(const Vec3& p, const Vec3& n, const Vec3& direction) const
+{
+  return this->trace(this->offset(p, n), direction);
+}
+
+SurfacePoint Scene::trace(const Vec3& p, const Vec3& direction) const
+{
+  const Hit hit = this->Rays.intersect(p, direction);
+  SurfacePoint point;
+  if (!hit.valid)
+    return point;
+  point.valid = true;
+  point.triangle = hit.triangle;
+  // The point from the barycentric weights lies in the triangle's plane to double precision, as the kernels need.
+  const Vec3 a = this->corner(hit.triangle, 0);
+  point.position = a + hit.u * (this->corner(hit.triangle, 1) - a) + hit.v * (this->corner(hit.triangle, 2) - a);
+  const Vec3& n = this->Normals[hit.triangle];
+  point.front = dot(n, direction) < 0;
+  point.normal = point.front ? n : -n;
+  return point;
+}
+}  // namespace kalos

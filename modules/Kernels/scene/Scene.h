@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything the estimators need to know of a lit scene, in coordinates about the scene's centre.
+#ifndef kalos_scene_Scene_h
+#define kalos_scene_Scene_h
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/Vector.h"
+#include "luminaire/Luminaire.h"
+#include "material/Material.h"
+#include "scene/RayScene.h"
+
+namespace kalos
+{
+/// Input: triangles with a material each, and luminaires, in metres anywhere in space.
+struct SceneDescription
+{
+  int bands = 1;  ///< 1..maxBands
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> triangleMaterial;  ///< index into materials, one per triangle
+  std::vector<Material> materials;
+  std::vector<Luminaire> luminaires;
+};
+
+/// A point of a surface, found by a ray.
+struct SurfacePoint
+{
+  bool valid = false;
+  std::uint32_t triangle = 0;
+  Vec3 position;
+  Vec3 normal;        ///< unit, on the side the ray came from
+  bool front = true;  ///< that side is the side of the triangle's own normal
+};
+
+class Scene
+{
+public:
+  /// Moves the origin to the centre of the bounding box: single precision rays then serve a hall 1 km away.
+  /// Throws std::invalid_argument on inconsistent sizes, non-finite numbers and degenerate triangles.
+  explicit Scene(SceneDescription description);
+
+  int bands() const { return this->Data.bands; }
+  const SceneDescription& data() const { return this->Data; }
+  const RayScene& rays() const { return this->Rays; }
+  const Vec3& origin() const { return this->Origin; }  ///< subtract from a world point to get a scene point
+  double size() const { return this->Size; }           ///< largest side of the bounding box, m
+  double surfaceArea() const { return this->SurfaceArea; }
+
+  const Material& material(std::uint32_t triangle) const
+  {
+    return this->Data.materials[this->Data.triangleMaterial[triangle]];
+  }
+  const Vec3& normal(std::uint32_t triangle) const { return this->Normals[triangle]; }
+  double area(std::uint32_t triangle) const { return this->Areas[triangle]; }
+  Vec3 corner(std::uint32_t triangle, int i) const { return this->Data.points[this->Data.triangles[triangle][i]]; }
+
+  /// First surface point along a ray from p, which lies on a surface of unit normal n (the side the ray leaves on).
+  SurfacePoint trace(const Vec3& p, const Vec3& n, const Vec3& direction) const;
+  /// The same from a point in free space.
+  SurfacePoint trace(const Vec3& p, const Vec3& direction) const;
+
+  /// Moves p off its surface: by a few units in the last place of single precision at p.
+  Vec3 offset(const Vec3& p, const Vec3& n) const { return p + (offsetScale * (maxAbs(p) + 0.05 * this->Size)) * n; }
+
+private:
+  static constexpr double offsetScale = 0x1.0p-20;
+
+  static Vec3 recentre(SceneDescription& description, double& size);
+
+  SceneDescription Data;
+  double Size = 0;
+  Vec3 Origin;
+  RayScene Rays;
+  std::vector<Vec3> Normals;
+  std::vector<double> Areas;
+  double SurfaceArea = 0;
+};
+}  // namespace kalos
+
+#endif
