@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Collects the error events of a VTK algorithm and its executive, so that they become our one-line message. */
+#ifndef KalosSceneErrorCatcher_h
+#define KalosSceneErrorCatcher_h
+
+#include <string>
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkNew.h"
+
+namespace kalos::scene
+{
+class ErrorCatcher
+{
+public:
+  explicit ErrorCatcher(vtkAlgorithm* algorithm)
+  {
+    algorithm->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+    algorithm->AddObserver(vtkCommand::WarningEvent, this->Observer);
+    algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+  }
+
+  bool Empty() const { return this->Observer->Text.empty(); }
+
+  /** The first message without VTK's "ERROR: In FILE, line N" and the object's address. */
+  std::string FirstLine() const
+  {
+    std::string text = this->Observer->Text;
+    const std::size_t start = text.find("): ");
+    text = start == std::string::npos ? text : text.substr(start + 3);
+    return text.substr(0, text.find_first_of("\r\n"));
+  }
+
+private:
+  struct Collector : public vtkCommand
+  {
+    static Collector* New() { return new Collector; }
+    void Execute(vtkObject*, unsigned long, void* data) override
+    {
+      if (this->Text.empty())
+      {
+        this->Text = data ? static_cast<const char*>(data) : "unknown error";
+      }
+    }
+    std::string Text;
+  };
+
+  vtkNew<Collector> Observer;
+};
+}  // namespace kalos::scene
+
+#endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** OBJ, PLY, STL and VTP surfaces. */
+#ifndef KalosSceneMeshFile_h
+#define KalosSceneMeshFile_h
+
+#include <string>
+
+#include "Mesh.h"
+
+namespace kalos::scene
+{
+/**
+ * Read and check the mesh at `path`; `place` is the scene file's value that names it.
+ *
+ * Material of a polygon, first that applies: the one that the OBJ's usemtl names in `materials`; `fallback`, if given;
+ * the VTP's own cell arrays (Reflectance, Exitance, Specular, Roughness, Mirror). None of them is an error.
+ */
+Mesh ReadMeshFile(const Node& place, const std::string& path, const Materials& materials, const Material* fallback);
+}  // namespace kalos::scene
+
+#endif

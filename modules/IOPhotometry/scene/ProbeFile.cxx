@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ProbeFile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <locale>
+#include <sstream>
+
+#include "SceneError.h"
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+namespace kalos::scene
+{
+namespace
+{
+const char* const Header = "x,y,z,nx,ny,nz";
+
+/** Six finite numbers between commas, or false. */
+bool ParseRow(const std::string& line, std::array<double, 6>& row)
+{
+  std::istringstream text(line);
+  text.imbue(std::locale::classic());
+  for (std::size_t i = 0; i < row.size(); ++i)
+  {
+    char comma = ',';
+    if ((i > 0 && !(text >> comma)) || comma != ',' || !(text >> row[i]) || !std::isfinite(row[i]))
+    {
+      return false;
+    }
+  }
+  return (text >> std::ws).eof();
+}
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> ReadProbeFile(const Node& place, const std::string& path)
+{
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+  {
+    place.Fail("no file " + path + "; expected a CSV file, its path relative to the scene file");
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  for (long long number = 1; std::getline(file, line); ++number)
+  {
+    const std::string where = "line " + std::to_string(number);
+    line.erase(line.find_last_not_of(" \t\r") + 1);
+    if (number == 1)
+    {
+      line.erase(std::remove(line.begin(), line.end(), ' '), line.end());
+      if (line != Header)
+      {
+        throw SceneError(path, where, std::string("the header is not as it should be; expected ") + Header);
+      }
+      continue;
+    }
+    std::array<double, 6> row;
+    if (line.empty())
+    {
+      continue;
+    }
+    if (!ParseRow(line, row))
+    {
+      throw SceneError(path, where, std::string("not a receiver; expected six finite numbers ") + Header);
+    }
+    if (vtkMath::Normalize(&row[3]) == 0.0)
+    {
+      throw SceneError(path, where, "the normal is zero; expected a direction");
+    }
+    const vtkIdType id = points->InsertNextPoint(row.data());
+    vertices->InsertNextCell(1, &id);
+    normals->InsertNextTuple(&row[3]);
+  }
+  if (points->GetNumberOfPoints() == 0)
+  {
+    throw SceneError(path, "file",
+                     std::string("no receivers; expected the header ") + Header + " and at least one line");
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+  data->GetPointData()->SetNormals(normals);
+  return data;
+}
+}  // namespace kalos::scene

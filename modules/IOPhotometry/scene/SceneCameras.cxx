@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneCameras.h"
+
+#include "Mesh.h"
+
+namespace kalos::scene
+{
+namespace
+{
+Camera ReadCamera(const Node& node)
+{
+  node.CheckKeys({"name", "position", "target", "up", "fov_deg", "resolution"});
+  Camera camera;
+  camera.Name = node.Name();
+  camera.Position = node.At("position").Vector();
+  camera.Target = node.At("target").Vector();
+  const Vector3 view = Subtract(camera.Target, camera.Position);
+  if (Norm(view) == 0.0)
+  {
+    node.At("target").Fail("the target is the position; expected another point");
+  }
+  if (const auto up = node.Find("up"))
+  {
+    camera.Up = up->NonZeroVector();
+  }
+  if (!(Norm(Cross(view, camera.Up)) > 1e-9 * Norm(view) * Norm(camera.Up)))
+  {
+    node.Fail("\"up\" ([0, 0, 1] if absent) is parallel to the view; expected another direction");
+  }
+  const Node angle = node.At("fov_deg");
+  camera.FieldOfView = angle.Number();
+  if (!(camera.FieldOfView > 0.0 && camera.FieldOfView < 180.0))
+  {
+    angle.FailExpected("an angle above 0 and below 180 degrees");
+  }
+  camera.Resolution = node.At("resolution").Resolution();
+  return camera;
+}
+}  // namespace
+
+std::vector<Camera> ReadCameras(const Node& scene, std::set<std::string>& names)
+{
+  std::vector<Camera> cameras;
+  const auto section = scene.Find("cameras");
+  for (const Node& node : section ? section->Items() : std::vector<Node>())
+  {
+    cameras.push_back(ReadCamera(node));
+    if (!names.insert(cameras.back().Name).second)
+    {
+      node.Fail("another receiver or camera has this name; expected a name of its own, as results are named after it");
+    }
+  }
+  return cameras;
+}
+}  // namespace kalos::scene

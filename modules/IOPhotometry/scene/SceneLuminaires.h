@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** The "luminaires" of a scene file. */
+#ifndef KalosSceneLuminaires_h
+#define KalosSceneLuminaires_h
+
+#include "SceneJson.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+namespace kalos::scene
+{
+/** All luminaires in one, as vtkKalosLuminaireSource makes them. */
+vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene);
+}  // namespace kalos::scene
+
+#endif

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneReceivers.h"
+
+#include <algorithm>
+
+#include "ErrorCatcher.h"
+#include "ProbeFile.h"
+#include "SurfaceReceivers.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkKalosCalculationPlane.h"
+#include "vtkNew.h"
+
+namespace kalos::scene
+{
+namespace
+{
+bool ReadFlip(const Node& node)
+{
+  const auto flip = node.Find("flip");
+  return flip && flip->Boolean();
+}
+
+vtkSmartPointer<vtkPolyData> ReadPlane(const Node& receiver)
+{
+  receiver.CheckKeys({"name", "plane", "flip"});
+  const Node node = receiver.At("plane");
+  node.CheckKeys({"origin", "u", "v", "resolution", "flip"});
+  if (node.Has("flip") && receiver.Has("flip"))
+  {
+    receiver.At("flip").Fail("\"flip\" is given twice; expected once");
+  }
+  vtkNew<vtkKalosCalculationPlane> plane;
+  plane->SetOrigin(node.At("origin").Vector().data());
+  plane->SetU(node.At("u").Vector().data());
+  plane->SetV(node.At("v").Vector().data());
+  plane->SetResolution(node.At("resolution").Resolution().data());
+  plane->SetFlip(ReadFlip(node) || ReadFlip(receiver));
+  ErrorCatcher errors(plane);
+  plane->Update();
+  if (!errors.Empty())
+  {
+    node.Fail(errors.FirstLine());
+  }
+  return plane->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> ReadSurface(const Node& receiver, const std::vector<Surface>& surfaces)
+{
+  receiver.CheckKeys({"name", "surface", "edge_length", "flip"});
+  const Node node = receiver.At("surface");
+  const std::string name = node.String();
+  const auto found = std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& s) { return s.Name == name; });
+  if (found == surfaces.end())
+  {
+    node.FailExpected("the name of one of \"surfaces\"");
+  }
+  const Node length = receiver.At("edge_length");
+  try
+  {
+    return MakeSurfaceReceivers(found->Polygons, length.NumberAbove(0.0), ReadFlip(receiver));
+  }
+  catch (const std::length_error& error)
+  {
+    length.FailExpected(error.what());
+  }
+}
+
+vtkSmartPointer<vtkPolyData> ReadReceiver(const Node& node, const std::vector<Surface>& surfaces,
+                                          const std::string& folder)
+{
+  const int kinds = int(node.Has("plane")) + int(node.Has("points")) + int(node.Has("surface"));
+  if (kinds != 1)
+  {
+    node.Fail(std::to_string(kinds) + " kinds of receiver; expected one of \"plane\", \"points\" and \"surface\"");
+  }
+  if (node.Has("plane"))
+  {
+    return ReadPlane(node);
+  }
+  if (node.Has("surface"))
+  {
+    return ReadSurface(node, surfaces);
+  }
+  node.CheckKeys({"name", "points"});
+  const Node points = node.At("points");
+  return ReadProbeFile(points, ResolvePath(folder, points.String()));
+}
+}  // namespace
+
+vtkSmartPointer<vtkMultiBlockDataSet> ReadReceivers(const Node& scene, const std::vector<Surface>& surfaces,
+                                                    const std::string& folder, std::set<std::string>& names)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  const auto section = scene.Find("receivers");
+  for (const Node& node : section ? section->Items() : std::vector<Node>())
+  {
+    const unsigned int block = blocks->GetNumberOfBlocks();
+    const auto data = ReadReceiver(node, surfaces, folder);
+    const std::string name = node.Name();
+    if (!names.insert(name).second)
+    {
+      node.Fail("another receiver or camera has this name; expected a name of its own, as results are named after it");
+    }
+    blocks->SetBlock(block, data);
+    blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+  }
+  return blocks;
+}
+}  // namespace kalos::scene

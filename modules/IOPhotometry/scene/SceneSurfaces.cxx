@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneSurfaces.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "MeshFile.h"
+#include "SceneError.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkKalosArrayNames.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkStringArray.h"
+
+namespace kalos::scene
+{
+namespace
+{
+Mesh ReadQuad(const Node& node)
+{
+  node.CheckKeys({"origin", "u", "v"});
+  const Mesh quad = MakeQuad(node.At("origin").Vector(), node.At("u").Vector(), node.At("v").Vector());
+  // The mesh check names a face; here the quad itself is the better place.
+  const double sides = Norm(node.At("u").Vector()) * Norm(node.At("v").Vector());
+  if (!(Norm(quad.Area(0)) > 1e-12 * sides))
+  {
+    node.Fail("no area; expected u and v that are neither zero nor parallel");
+  }
+  return quad;
+}
+
+Mesh ReadBox(const Node& node)
+{
+  node.CheckKeys({"center", "size", "rotation_z_deg"});
+  const Vector3 size = node.At("size").Vector();
+  if (!std::all_of(size.begin(), size.end(), [](double s) { return s > 0.0; }))
+  {
+    node.At("size").FailExpected("three lengths above 0 m");
+  }
+  const auto rotation = node.Find("rotation_z_deg");
+  return MakeBox(node.At("center").Vector(), size, rotation ? rotation->Number() : 0.0);
+}
+
+const Material* FindMaterial(const Node& surface, const Materials& materials)
+{
+  const auto node = surface.Find("material");
+  if (!node)
+  {
+    return nullptr;
+  }
+  const auto found = materials.find(node->String());
+  if (found == materials.end())
+  {
+    node->FailExpected("the name of one of \"materials\"");
+  }
+  return &found->second;
+}
+
+Mesh ReadPolygons(const Node& node, const Materials& materials, const std::string& folder)
+{
+  const int shapes = int(node.Has("quad")) + int(node.Has("box")) + int(node.Has("file"));
+  if (shapes != 1)
+  {
+    node.Fail(std::to_string(shapes) + " shapes; expected one of \"quad\", \"box\" and \"file\"");
+  }
+  const Material* material = FindMaterial(node, materials);
+  if (const auto file = node.Find("file"))
+  {
+    return ReadMeshFile(*file, ResolvePath(folder, file->String()), materials, material);
+  }
+  if (!material)
+  {
+    node.Fail("the key \"material\" is missing");
+  }
+  const auto quad = node.Find("quad");
+  Mesh mesh = quad ? ReadQuad(*quad) : ReadBox(node.At("box"));
+  mesh.Palette.push_back(*material);
+  std::fill(mesh.MaterialOf.begin(), mesh.MaterialOf.end(), 0);
+  return mesh;
+}
+
+std::size_t NumberOfBands(const std::vector<Surface>& surfaces)
+{
+  std::size_t bands = 1;
+  for (const Surface& surface : surfaces)
+  {
+    for (const Material& material : surface.Polygons.Palette)
+    {
+      for (const std::size_t n : {material.Reflectance.size(), material.Exitance.size()})
+      {
+        if (n > 1 && bands > 1 && n != bands)
+        {
+          throw SceneError(surface.Where + ".material", std::to_string(n) + " bands where an earlier material has " +
+                                                            std::to_string(bands) + "; expected 1 or the same number");
+        }
+        bands = std::max(bands, n);
+      }
+    }
+  }
+  return bands;
+}
+
+vtkSmartPointer<vtkDoubleArray> NewCellArray(vtkPolyData* data, const char* name, int components, vtkIdType cells)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(cells);
+  data->GetCellData()->AddArray(array);
+  return array;
+}
+}  // namespace
+
+std::string ResolvePath(const std::string& folder, const std::string& path)
+{
+  return (std::filesystem::path(folder) / path).string();
+}
+
+std::vector<Surface> ReadSurfaces(const Node& scene, const Materials& materials, const std::string& folder)
+{
+  std::vector<Surface> surfaces;
+  std::set<std::string> names;
+  const auto section = scene.Find("surfaces");
+  for (const Node& node : section ? section->Items() : std::vector<Node>())
+  {
+    node.CheckKeys({"name", "quad", "box", "file", "material"});
+    Surface surface{node.Name(), node.Where(), ReadPolygons(node, materials, folder)};
+    if (!names.insert(surface.Name).second)
+    {
+      node.Fail("another surface has this name; expected a name of its own");
+    }
+    surfaces.push_back(std::move(surface));
+  }
+  return surfaces;
+}
+
+vtkSmartPointer<vtkPolyData> MakeSurfaceData(const std::vector<Surface>& surfaces)
+{
+  const auto bands = static_cast<int>(NumberOfBands(surfaces));
+  vtkIdType cells = 0;
+  for (const Surface& surface : surfaces)
+  {
+    cells += static_cast<vtkIdType>(surface.Polygons.NumberOfPolygons());
+  }
+
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  auto reflectance = NewCellArray(data, vtkKalosArrayNames::Reflectance, bands, cells);
+  auto exitance = NewCellArray(data, vtkKalosArrayNames::Exitance, bands, cells);
+  auto specular = NewCellArray(data, vtkKalosArrayNames::Specular, 1, cells);
+  auto roughness = NewCellArray(data, vtkKalosArrayNames::Roughness, 1, cells);
+  auto mirror = NewCellArray(data, vtkKalosArrayNames::Mirror, 1, cells);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(vtkKalosArrayNames::SurfaceId);
+  ids->SetNumberOfTuples(cells);
+  data->GetCellData()->AddArray(ids);
+  vtkNew<vtkStringArray> names;
+  names->SetName(vtkKalosArrayNames::SurfaceNames);
+  data->GetFieldData()->AddArray(names);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polygons;
+
+  vtkIdType cell = 0;
+  for (const Surface& surface : surfaces)
+  {
+    const Mesh& mesh = surface.Polygons;
+    const int surfaceId = static_cast<int>(names->InsertNextValue(surface.Name));
+    const vtkIdType firstPoint = points->GetNumberOfPoints();
+    for (const Vector3& point : mesh.Points)
+    {
+      points->InsertNextPoint(point.data());
+    }
+    for (std::size_t p = 0; p < mesh.NumberOfPolygons(); ++p, ++cell)
+    {
+      polygons->InsertNextCell(static_cast<int>(mesh.Ends[p] - mesh.Begin(p)));
+      for (std::int64_t i = mesh.Begin(p); i < mesh.Ends[p]; ++i)
+      {
+        polygons->InsertCellPoint(firstPoint + mesh.Corners[i]);
+      }
+      const Material& material = mesh.Palette[mesh.MaterialOf[p]];
+      for (int b = 0; b < bands; ++b)
+      {
+        const std::vector<double>& rho = material.Reflectance;
+        const std::vector<double>& m = material.Exitance;
+        reflectance->SetComponent(cell, b, rho[rho.size() == 1 ? 0 : b]);
+        exitance->SetComponent(cell, b, m[m.size() == 1 ? 0 : b]);
+      }
+      specular->SetValue(cell, material.Specular);
+      roughness->SetValue(cell, material.Roughness);
+      mirror->SetValue(cell, material.Mirror);
+      ids->SetValue(cell, surfaceId);
+    }
+  }
+  data->SetPoints(points);
+  data->SetPolys(polygons);
+  return data;
+}
+}  // namespace kalos::scene

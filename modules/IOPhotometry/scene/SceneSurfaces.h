@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** The "surfaces" of a scene file. */
+#ifndef KalosSceneSurfaces_h
+#define KalosSceneSurfaces_h
+
+#include <string>
+#include <vector>
+
+#include "Mesh.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+namespace kalos::scene
+{
+struct Surface
+{
+  std::string Name;
+  std::string Where;  ///< for messages
+  Mesh Polygons;
+};
+
+/** Read the array "surfaces"; `folder` is that of the scene file. */
+std::vector<Surface> ReadSurfaces(const Node& scene, const Materials& materials, const std::string& folder);
+
+/** All surfaces in one, with the cell arrays of vtkKalosArrayNames.h; materials of 1 band are spread over all bands. */
+vtkSmartPointer<vtkPolyData> MakeSurfaceData(const std::vector<Surface>& surfaces);
+
+/** `path` as it stands if absolute, else below `folder`. */
+std::string ResolvePath(const std::string& folder, const std::string& path);
+}  // namespace kalos::scene
+
+#endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Receivers on a surface: its triangles, made small enough. */
+#ifndef KalosSceneSurfaceReceivers_h
+#define KalosSceneSurfaceReceivers_h
+
+#include "Mesh.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+namespace kalos::scene
+{
+constexpr std::int64_t MaximumSurfaceReceivers = 20000000;
+
+/**
+ * Halve each triangle at its longest edge until no edge is longer than `edgeLength` (m). Cell normals are those of the
+ * polygons, turned if `flip`. More than MaximumSurfaceReceivers throw std::length_error with what is expected.
+ */
+vtkSmartPointer<vtkPolyData> MakeSurfaceReceivers(const Mesh& mesh, double edgeLength, bool flip);
+}  // namespace kalos::scene
+
+#endif
