@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkKalosEXRReader.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfTestFile.h>
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkKalosArrayNames.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+namespace
+{
+/** What is wrong with the file itself, as opposed to what OpenEXR throws. */
+using Problem = std::invalid_argument;
+
+struct Size
+{
+  int Width;
+  int Height;
+};
+
+void CheckFile(const char* path)
+{
+  std::error_code ignored;
+  if (!path || !*path)
+  {
+    throw Problem("FileName: not set; expected the path of an .exr file");
+  }
+  if (!std::filesystem::is_regular_file(path, ignored))
+  {
+    throw Problem("file: no such file; expected an OpenEXR image");
+  }
+  if (!Imf::isOpenExrFile(path))
+  {
+    throw Problem("file: not an OpenEXR image; expected one");
+  }
+}
+
+Size SizeOf(const Imf::Header& header)
+{
+  const Imath::Box2i& window = header.dataWindow();
+  const double width = static_cast<double>(window.max.x) - window.min.x + 1.0;
+  const double height = static_cast<double>(window.max.y) - window.min.y + 1.0;
+  if (!(width >= 1.0 && height >= 1.0 &&
+        width * height <= static_cast<double>(vtkKalosEXRReader::MaximumNumberOfPixels())))
+  {
+    throw Problem("header: the data window is empty or too large; expected 1 to " +
+                  std::to_string(vtkKalosEXRReader::MaximumNumberOfPixels()) + " pixels");
+  }
+  return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+bool HasChannel(const Imf::Header& header, const char* name)
+{
+  const Imf::Channel* channel = header.channels().findChannel(name);
+  return channel && channel->xSampling == 1 && channel->ySampling == 1;
+}
+
+/** The named channels as one array, bottom row first. */
+vtkSmartPointer<vtkFloatArray> ReadArray(Imf::InputFile& file, const char* arrayName,
+                                         const std::vector<const char*>& channels)
+{
+  const Size size = SizeOf(file.header());
+  const Imath::Box2i& window = file.header().dataWindow();
+  const auto components = static_cast<int>(channels.size());
+  const std::size_t pixel = sizeof(float) * components;
+  const std::size_t row = pixel * size.Width;
+  std::vector<char> buffer(row * size.Height);
+
+  // OpenEXR addresses pixel (x, y) at base + x * pixel + y * row; the window need not start at 0.
+  const auto shift = static_cast<std::ptrdiff_t>(window.min.x) * static_cast<std::ptrdiff_t>(pixel) +
+                     static_cast<std::ptrdiff_t>(window.min.y) * static_cast<std::ptrdiff_t>(row);
+  Imf::FrameBuffer frame;
+  for (int c = 0; c < components; ++c)
+  {
+    frame.insert(channels[c], Imf::Slice(Imf::FLOAT, buffer.data() + c * sizeof(float) - shift, pixel, row));
+  }
+  file.setFrameBuffer(frame);
+  file.readPixels(window.min.y, window.max.y);
+
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(arrayName);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(size.Width) * size.Height);
+  for (int y = 0; y < size.Height; ++y)
+  {
+    const char* from = buffer.data() + row * (size.Height - 1 - y);
+    std::copy(from, from + row, reinterpret_cast<char*>(array->GetPointer(0)) + row * y);
+  }
+  return array;
+}
+
+void Multiply(vtkFloatArray* array, float factor)
+{
+  for (vtkIdType i = 0; factor != 1.0F && i < array->GetNumberOfValues(); ++i)
+  {
+    array->SetValue(i, factor * array->GetValue(i));
+  }
+}
+
+vtkSmartPointer<vtkFloatArray> LuminanceOf(vtkFloatArray* bands)
+{
+  auto luminance = vtkSmartPointer<vtkFloatArray>::New();
+  luminance->SetName(vtkKalosArrayNames::Luminance);
+  luminance->SetNumberOfTuples(bands->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < bands->GetNumberOfTuples(); ++i)
+  {
+    const float* rgb = bands->GetPointer(3 * i);
+    luminance->SetValue(i, static_cast<float>(0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]));
+  }
+  return luminance;
+}
+
+vtkSmartPointer<vtkImageData> ReadImage(const char* path)
+{
+  using namespace vtkKalosArrayNames;
+  CheckFile(path);
+  Imf::InputFile file(path);
+  const Imf::Header& header = file.header();
+  const Size size = SizeOf(header);
+  const bool rgb = HasChannel(header, "R") && HasChannel(header, "G") && HasChannel(header, "B");
+  if (!rgb && !HasChannel(header, "Y"))
+  {
+    throw Problem("header: no luminance; expected the channel Y, or R, G and B, at full resolution");
+  }
+  const float unit = Imf::hasWhiteLuminance(header) ? Imf::whiteLuminance(header) : 1.0F;
+  if (!(std::isfinite(unit) && unit > 0.0F))
+  {
+    throw Problem("header: whiteLuminance is not a number above 0; expected cd/m2");
+  }
+
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size.Width, size.Height, 1);
+  vtkPointData* data = image->GetPointData();
+  const auto add = [&](const char* name, const std::vector<const char*>& channels)
+  {
+    auto array = ReadArray(file, name, channels);
+    Multiply(array, unit);
+    data->AddArray(array);
+    return array;
+  };
+  if (rgb)
+  {
+    data->AddArray(LuminanceOf(add(LuminanceBands, {"R", "G", "B"})));
+  }
+  else
+  {
+    add(Luminance, {"Y"});
+  }
+  if (HasChannel(header, "Y.standardError"))
+  {
+    add(LuminanceStandardError, {"Y.standardError"});
+  }
+  data->SetActiveScalars(Luminance);
+  return image;
+}
+
+Size ReadSize(const char* path)
+{
+  CheckFile(path);
+  return SizeOf(Imf::InputFile(path).header());
+}
+
+/** Run a step of reading; false and one message if it fails. */
+template <typename Step>
+std::string Try(const char* path, Step step)
+{
+  const std::string file = path && *path ? std::string(path) + ": " : "image: ";
+  try
+  {
+    step();
+    return {};
+  }
+  catch (const Problem& problem)
+  {
+    return file + problem.what();
+  }
+  catch (const std::exception&)
+  {
+    // OpenEXR's texts span lines and repeat the path.
+    return file + "file: damaged or truncated; expected a complete OpenEXR image";
+  }
+}
+}  // namespace
+
+vtkStandardNewMacro(vtkKalosEXRReader);
+
+vtkKalosEXRReader::vtkKalosEXRReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkKalosEXRReader::~vtkKalosEXRReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkKalosEXRReader::CanReadFile(const char* path)
+{
+  std::error_code ignored;
+  return path && std::filesystem::is_regular_file(path, ignored) && Imf::isOpenExrFile(path);
+}
+
+int vtkKalosEXRReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  Size size{};
+  const std::string problem = Try(this->FileName, [&]() { size = ReadSize(this->FileName); });
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return 0;
+  }
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  const int extent[6] = {0, size.Width - 1, 0, size.Height - 1, 0, 0};
+  const double zero[3] = {0.0, 0.0, 0.0};
+  const double one[3] = {1.0, 1.0, 1.0};
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::ORIGIN(), zero, 3);
+  info->Set(vtkDataObject::SPACING(), one, 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
+  return 1;
+}
+
+int vtkKalosEXRReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkSmartPointer<vtkImageData> image;
+  const std::string problem = Try(this->FileName, [&]() { image = ReadImage(this->FileName); });
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return 0;
+  }
+  vtkImageData::GetData(outputVector)->ShallowCopy(image);
+  return 1;
+}
+
+void vtkKalosEXRReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}

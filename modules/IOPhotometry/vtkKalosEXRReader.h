@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkKalosEXRReader
+ * @brief   read a luminance image from OpenEXR
+ *
+ * Output: vtkImageData, width x height x 1, spacing 1, row 0 at the bottom, with float32 point arrays of
+ * vtkKalosArrayNames.h; the size is that of the data window.
+ *
+ * | channels in the file | arrays |
+ * |----------------------|---------------------------------------------------------------------------------------------|
+ * | `Y`                  | Luminance, cd/m² | | `R`, `G`, `B`        | LuminanceBands (3 components) and Luminance =
+ * 0.2126 R + 0.7152 G + 0.0722 B, cd/m²         | | `Y.standardError`    | LuminanceStandardError, cd/m² |
+ *
+ * All values are multiplied by the header's whiteLuminance, if it has one: files by other programs may count in units
+ * of it. Channels of any type are read as float32. Values are passed on as they are: no clamp.
+ *
+ * Errors: a file that is missing, no OpenEXR image, truncated or damaged, without those channels (subsampled ones
+ * included), or with more than MaximumNumberOfPixels() pixels gives an error event and an empty output.
+ */
+#ifndef vtkKalosEXRReader_h
+#define vtkKalosEXRReader_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkKalosIOPhotometryModule.h"
+
+class VTKKALOSIOPHOTOMETRY_EXPORT vtkKalosEXRReader : public vtkImageAlgorithm
+{
+public:
+  static vtkKalosEXRReader* New();
+  vtkTypeMacro(vtkKalosEXRReader, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Path of the image. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /** Whether the file starts as OpenEXR files do. */
+  int CanReadFile(const char* path);
+
+  /** Largest image that is read. */
+  static vtkIdType MaximumNumberOfPixels() { return 100000000; }
+
+protected:
+  vtkKalosEXRReader();
+  ~vtkKalosEXRReader() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  char* FileName = nullptr;
+
+private:
+  vtkKalosEXRReader(const vtkKalosEXRReader&) = delete;
+  void operator=(const vtkKalosEXRReader&) = delete;
+};
+
+#endif
