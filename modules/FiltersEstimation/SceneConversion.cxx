@@ -115,6 +115,8 @@ kalos::Vec3 ReadVector(vtkPolyData* luminaires, const char* name, vtkIdType i, c
 
 void AddLuminaires(vtkPolyData* input, kalos::SceneDescription& scene)
 {
+  if (input->GetNumberOfPoints() == 0)
+    return;
   vtkDataArray* flux = input->GetPointData()->GetArray(Names::LuminousFlux);
   vtkDataArray* distribution = input->GetPointData()->GetArray(Names::Distribution);
   if (!flux)

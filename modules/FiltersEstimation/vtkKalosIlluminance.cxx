@@ -6,6 +6,7 @@
 #include "ReceiverConversion.h"
 #include "SceneConversion.h"
 #include "estimator/Solver.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -53,25 +54,34 @@ int vtkKalosIlluminance::RequestDataObject(vtkInformation*, vtkInformationVector
   return 1;
 }
 
+namespace
+{
+/// A copy that shares the arrays but not the data sets, so that results can be attached to it.
+vtkSmartPointer<vtkDataObject> CopyWithOwnLeaves(vtkDataObject* input)
+{
+  auto copy = vtk::TakeSmartPointer(input->NewInstance());
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(input);
+  if (!blocks)
+  {
+    copy->ShallowCopy(input);
+    return copy;
+  }
+  auto* copiedBlocks = vtkMultiBlockDataSet::SafeDownCast(copy);
+  copiedBlocks->CopyStructure(blocks);
+  auto iterator = vtk::TakeSmartPointer(blocks->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    copiedBlocks->SetDataSet(iterator, CopyWithOwnLeaves(iterator->GetCurrentDataObject()));
+  return copy;
+}
+}  // namespace
+
 int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs);
   try
   {
     vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
-    vtkSmartPointer<vtkDataObject> solved;
-    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(input))
-    {
-      auto copy = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-      copy->RecursiveShallowCopy(blocks);
-      solved = copy;
-    }
-    else
-    {
-      solved = vtk::TakeSmartPointer(input->NewInstance());
-      solved->ShallowCopy(input);
-    }
-
+    const vtkSmartPointer<vtkDataObject> solved = CopyWithOwnLeaves(input);
     const kalos::Scene scene(MakeSceneDescription(vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(inputs[2])));
     kalos::Receivers receivers;
     const std::vector<vtkDataSet*> leaves = LeavesOf(solved);

@@ -19,9 +19,11 @@ namespace
 #if KALOS_EMBREE_VERSION >= 4
 using QueryArguments = RTCIntersectArguments;
 using OcclusionArguments = RTCOccludedArguments;
+constexpr auto filterFlag = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
 #else
 using QueryArguments = RTCIntersectContext;
 using OcclusionArguments = RTCIntersectContext;
+constexpr auto filterFlag = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 #endif
 
 void initialise(QueryArguments& arguments)
@@ -96,7 +98,7 @@ struct RayScene::Embree
   }
 };
 
-RayScene::RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
+RayScene::RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, Queries queries)
     : Impl(std::make_unique<Embree>())
 {
   Embree& e = *this->Impl;
@@ -104,7 +106,9 @@ RayScene::RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>&
   if (!e.device)
     throw std::runtime_error("Embree can not be started on this processor");
   e.scene = rtcNewScene(e.device);
-  rtcSetSceneFlags(e.scene, RTC_SCENE_FLAG_ROBUST);  // no leaks through shared edges
+  // Robust: no leaks through shared edges.
+  rtcSetSceneFlags(e.scene,
+                   queries == Queries::AllCrossings ? RTC_SCENE_FLAG_ROBUST | filterFlag : RTC_SCENE_FLAG_ROBUST);
 
   if (!triangles.empty())
   {

@@ -33,8 +33,15 @@ struct alignas(64) SegmentPacket
 class RayScene
 {
 public:
+  enum class Queries
+  {
+    FirstHit,     ///< intersect() and occluded()
+    AllCrossings  ///< crossings() too
+  };
+
   /// Copies the triangles; points in metres, near the origin (single precision inside).
-  RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
+  RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
+           Queries queries = Queries::FirstHit);
   ~RayScene();
 
   /// First hit of the ray from `origin`, which the caller has moved off its surface, along `direction`.
@@ -46,7 +53,7 @@ public:
   /// Bit i of the result is set when segment i (of the first `count`) is occluded.
   std::uint32_t occluded(const SegmentPacket& segments, int count) const;
 
-  /// Calls `visit(triangle)` for every triangle crossed by the segment from a to b, in no particular order.
+  /// With Queries::AllCrossings: calls `visit(triangle)` for every triangle crossed by the segment from a to b, in no particular order.
   void crossings(const Vec3& a, const Vec3& b, const std::function<void(std::uint32_t)>& visit) const;
 
 private:

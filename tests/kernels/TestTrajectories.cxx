@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "Rooms.h"
+#include "estimator/PairKernel.h"
+
+using namespace kalos;
+
+// Roulette, not truncation: the mean number of collisions is 1/(1 - rho). 20 000 trajectories; the number of collisions
+// is geometric with variance rho/(1-rho)^2; |z| < 4.4, false alarm 1e-5 each.
+TEST(Trajectories, LengthIsNotLimited)
+{
+  for (double rho : {0.05, 0.5, 0.95})
+  {
+    const Scene scene(rooms::litRoom(rho));
+    const Emission emission(scene);
+    const int count = 20000;
+    const TrajectoryChunk chunk = traceTrajectories(scene, emission, 1, 0, 0, count);
+    const double mean = double(chunk.reflected.size()) / count;
+    const double error = std::sqrt(rho) / (1 - rho) / std::sqrt(double(count));
+    EXPECT_LT(std::abs(mean - 1 / (1 - rho)), 4.4 * error) << "rho " << rho;
+    for (float m : chunk.reflected.flux[0])
+      EXPECT_NEAR(m, rho * 10000, 0.1);
+  }
+}
+
+TEST(Trajectories, EmissionCarriesTheWholeFlux)
+{
+  SceneDescription d = rooms::furnace(0.6, 100);
+  Luminaire lamp;
+  lamp.position = {2.5, 2.5, 4};
+  lamp.flux = 5000;
+  d.luminaires.push_back(lamp);
+  const Scene scene(d);
+  const Emission emission(scene);
+  EXPECT_NEAR(emission.totalFlux(), 5000 + 100 * scene.surfaceArea(), 1e-6);
+  // Share of the luminaire's starts: binomial, |z| < 4.4 (false alarm 1e-5).
+  const double share = 5000 / emission.totalFlux();
+  int fromLamp = 0;
+  const int count = 40000;
+  for (int i = 0; i < count; ++i)
+  {
+    RandomStream random(2, 0, Purpose::Trajectory, i);
+    fromLamp += !emission.sample(random).onSurface;
+  }
+  EXPECT_LT(std::abs(fromLamp - share * count), 4.4 * std::sqrt(count * share * (1 - share)));
+}
+
+// The vector code against the formula (E3) in double precision.
+TEST(PairKernel, AgreesWithTheFormula)
+{
+  const Scene scene(rooms::furnace(0.6, 100));
+  const Emission emission(scene);
+  const VertexSet v = traceTrajectories(scene, emission, 1, 0, 0, 2000).reflected;
+  const Vec3 n = normalized(Vec3{0.2, 0.3, 1});
+  const ReceiverPoint receiver(scene, {2.4, 2.5, 1}, n);
+  std::size_t scored = 0, expected = 0;
+  for (std::size_t begin = 0; begin < v.size(); begin += PairBlock::capacity)
+  {
+    const int count = static_cast<int>(std::min<std::size_t>(PairBlock::capacity, v.size() - begin));
+    PairBlock block;
+    formPairs(v, begin, count, receiver, block);
+    for (int i = 0; i < block.count; ++i, ++scored)
+    {
+      const int j = block.index[i];
+      const Vec3 d = Vec3{v.px[j], v.py[j], v.pz[j]} - receiver.position;
+      const double d2 = dot(d, d);
+      const double g = dot(d, n) * -dot(d, Vec3{v.nx[j], v.ny[j], v.nz[j]}) / (pi * d2 * d2);
+      EXPECT_NEAR(block.g[i], g, 1e-5 * g + 1e-9);
+    }
+    for (int j = static_cast<int>(begin); j < static_cast<int>(begin) + count; ++j)
+    {
+      const Vec3 d = Vec3{v.px[j], v.py[j], v.pz[j]} - receiver.position;
+      expected += dot(d, n) > 1e-6 && dot(d, Vec3{v.nx[j], v.ny[j], v.nz[j]}) < -1e-6;
+    }
+  }
+  EXPECT_NEAR(double(scored), double(expected), 2);
+}
