@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""python3 -m kalos is the command kalos."""
+import sys
+
+from kalos.cli import main
+
+sys.exit(main())

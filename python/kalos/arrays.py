@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Names of the data arrays, as in vtkKalosArrayNames.h, where their units stand. A test compares the two."""
+
+REFLECTANCE = "Reflectance"
+EXITANCE = "Exitance"
+SURFACE_NAMES = "SurfaceNames"
+
+ILLUMINANCE = "Illuminance"
+ILLUMINANCE_STANDARD_ERROR = "IlluminanceStandardError"
+DIRECT_ILLUMINANCE = "DirectIlluminance"
+
+LUMINANCE = "Luminance"
+LUMINANCE_STANDARD_ERROR = "LuminanceStandardError"
+LUMINANCE_BANDS = "LuminanceBands"
+
+AUDIT = "Audit"
+TRAJECTORIES = "Trajectories"
+SOLVE_SECONDS = "SolveSeconds"
+SOLVE_CPU_SECONDS = "SolveCpuSeconds"

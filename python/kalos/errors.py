@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One exception for everything that goes wrong, and the error events of VTK turned into it."""
+import re
+import sys
+
+from vtkmodules.vtkCommonCore import VTK_STRING
+
+BAD_INPUT = 2
+FAILED = 1
+
+
+class KalosError(Exception):
+    """What is wrong, in one line, as `FILE: WHERE: what is wrong and what is expected`.
+
+    status is the exit status of the command: 2 for bad input, 1 for other failures.
+    """
+
+    def __init__(self, message, status=BAD_INPUT):
+        super().__init__(message)
+        self.status = status
+
+
+def update(algorithm, request=None):
+    """Brings a VTK algorithm up to date; its first error event becomes a KalosError."""
+    messages = []
+
+    def note(_caller, _event, text):
+        messages.append(plain(text))
+
+    def warn(_caller, _event, text):
+        print(f"kalos: warning: {plain(text)}", file=sys.stderr)
+
+    note.CallDataType = VTK_STRING
+    warn.CallDataType = VTK_STRING
+    # The executive complains a second time when an algorithm has failed: listening keeps that off the screen.
+    tags = [(caller, caller.AddObserver(event, action))
+            for caller in (algorithm, algorithm.GetExecutive())
+            for event, action in (("ErrorEvent", note), ("WarningEvent", warn))]
+    try:
+        (request or algorithm.Update)()
+    finally:
+        for caller, tag in tags:
+            caller.RemoveObserver(tag)
+    if messages:
+        raise KalosError(messages[0])
+
+
+def plain(text):
+    """The message of a VTK error event without the source line and the address before it."""
+    return re.sub(r"\A(?:ERROR|Warning): In .*?\n(?:\w+ \([^)]*\): )?", "", text, flags=re.DOTALL).strip()

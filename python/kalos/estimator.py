@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The options of an estimate and how they reach the VTK filters."""
+from dataclasses import dataclass
+
+DEFAULT_METHOD = "local"
+
+# As vtkKalosIlluminance::Method numbers them.
+METHODS = {"compensated": 5, "gathered": 6, "local": 0, "sphere-published": 1, "sphere-exact": 2, "disc": 3, "clamped": 4,
+           "direct": 7}
+
+
+@dataclass(frozen=True)
+class Options:
+    """What the command's options say; None means automatic or off."""
+
+    method: str = DEFAULT_METHOD
+    trajectories: int = None  # at most; automatic: 10 000, without limit when there is a goal
+    delta: float = None  # m
+    epsilon: float = None  # m
+    error: float = None  # goal: relative 95 % half-width at every receiver
+    time: float = None  # goal: s
+    seed: int = 1
+    threads: int = 0  # 0 for all
+
+    def apply(self, estimator):
+        """Sets them on vtkKalosIlluminance or vtkKalosLuminanceImage."""
+        estimator.SetMethod(METHODS[self.method])
+        estimator.SetTrajectories(self.trajectories or 0)
+        estimator.SetDelta(self.delta or 0)
+        estimator.SetEpsilon(self.epsilon or 0)
+        estimator.SetRelativeError(self.error or 0)
+        estimator.SetSeconds(self.time or 0)
+        estimator.SetSeed(self.seed)
+        estimator.SetThreads(self.threads)

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The results of one receiver set as NumPy arrays."""
+from dataclasses import dataclass
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkCellCenters
+from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+
+from kalos import arrays
+from kalos.errors import FAILED, KalosError
+
+
+@dataclass
+class Receivers:
+    """Receivers in their order: points of the data set, or centres of its cells."""
+
+    name: str
+    dataset: object  # vtkDataSet with the result arrays
+    points: np.ndarray  # (n, 3) m
+    normals: np.ndarray  # (n, 3)
+    illuminance: np.ndarray  # lx
+    standard_error: np.ndarray  # lx
+    direct: np.ndarray  # lx
+    weights: np.ndarray  # areas of the cells, m2, or ones: what a mean over the set weighs by
+
+    @property
+    def cells(self):
+        """Whether the receivers are the cells of the data set."""
+        return self.dataset.GetCellData().HasArray(arrays.ILLUMINANCE) == 1
+
+
+def from_dataset(name, dataset):
+    """Reads a data set that vtkKalosIlluminance has put out."""
+    of_points, of_cells = dataset.GetPointData(), dataset.GetCellData()
+    data = of_cells if of_cells.HasArray(arrays.ILLUMINANCE) else of_points
+    if not data.HasArray(arrays.ILLUMINANCE):
+        raise KalosError(f"{name}: the estimate holds no {arrays.ILLUMINANCE}", FAILED)
+    if data is of_cells:
+        points = cell_centres(dataset)
+        weights = areas(dataset)
+    else:
+        points = np.array([dataset.GetPoint(i) for i in range(dataset.GetNumberOfPoints())], float).reshape(-1, 3)
+        weights = np.ones(len(points))
+    read = [vtk_to_numpy(data.GetArray(key)).astype(float)
+            for key in (arrays.ILLUMINANCE, arrays.ILLUMINANCE_STANDARD_ERROR, arrays.DIRECT_ILLUMINANCE)]
+    return Receivers(name, dataset, points, vtk_to_numpy(data.GetNormals()).astype(float), *read, weights)
+
+
+def cell_centres(dataset):
+    centres = vtkCellCenters()
+    centres.SetInputData(dataset)
+    centres.Update()
+    return vtk_to_numpy(centres.GetOutput().GetPoints().GetData()).astype(float)
+
+
+def areas(dataset):
+    """Areas of the cells, or ones where a cell has no area."""
+    size = vtkCellSizeFilter()
+    size.SetInputData(dataset)
+    size.ComputeVertexCountOff()
+    size.ComputeLengthOff()
+    size.ComputeVolumeOff()
+    size.Update()
+    area = vtk_to_numpy(size.GetOutput().GetCellData().GetArray("Area")).astype(float)
+    return area if (area > 0).all() else np.ones(len(area))

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a scene file to a folder of results: reads, estimates, writes."""
+import os
+import time
+from pathlib import Path
+
+import kalos
+from kalos import arrays, pictures, summary as figures
+from kalos.errors import KalosError, update
+from kalos.estimator import Options
+from kalos.output import staged
+from kalos.progress import run
+from kalos.receivers import from_dataset
+from kalos.tables import write_csv
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+
+def solve(scene, out, options=Options(), say=lambda text: None):
+    """Solves the scene file into the folder `out` and returns what stands in summary.json.
+
+    Every receiver set gives NAME.csv, NAME.vtp and NAME.png, every camera NAME.exr and NAME.png. `say` gets the audit,
+    the result table and the paths of the pictures. Raises KalosError; the folder then holds nothing new.
+    """
+    started = time.perf_counter()
+    reader = read_scene(scene)
+    check_names(reader, scene)
+    setup = time.perf_counter() - started
+    with staged(out) as folder:
+        receivers, images, outputs = estimate(reader, options)
+        result = summarise(scene, options, receivers, images, outputs)
+        result["setup_seconds"] = setup
+        say("audit")
+        say(figures.audit_text(result["audit"]))
+        write(folder, receivers, images, result)
+        paths = [Path(out) / name for name in sorted(os.listdir(folder)) if name.endswith(".png")]
+    say(f"result of {result['method']}, seed {result['seed']}")
+    say(figures.result_text(result))
+    say(f"solved in {result['seconds']:.3g} s, {result['cpu_seconds']:.3g} s of processor time; set-up {setup:.2g} s")
+    say("pictures")
+    for path in paths:
+        say(f"  {path}")
+    return result
+
+
+def read_scene(path):
+    """A vtkKalosSceneReader that has read the file: ports 0 surfaces, 1 luminaires, 2 receivers, and the cameras."""
+    reader = kalos.vtkKalosSceneReader()
+    reader.SetFileName(os.fspath(path))
+    update(reader)
+    return reader
+
+
+def receiver_names(reader):
+    blocks = reader.GetReceivers()
+    return [blocks.GetMetaData(i).Get(blocks.NAME()) for i in range(blocks.GetNumberOfBlocks())]
+
+
+def camera_names(reader):
+    return [reader.GetCameraName(i) for i in range(reader.GetNumberOfCameras())]
+
+
+def check_names(reader, scene):
+    """Names become file names in one folder: they must fit one and differ from each other."""
+    seen = set()
+    for where, names in (("receivers", receiver_names(reader)), ("cameras", camera_names(reader))):
+        for i, name in enumerate(names):
+            at = f"{scene}: {where}[{i}].name"
+            if not name or name.startswith(".") or any(c in "/\\:" or ord(c) < 32 for c in name):
+                raise KalosError(f"{at}: '{name}' cannot name a file, expected letters, digits, '-' or '_'")
+            if name.lower() in seen | {"summary"}:
+                raise KalosError(f"{at}: '{name}' is taken, expected a name that no other receiver set or camera has")
+            seen.add(name.lower())
+    if not seen:
+        raise KalosError(f"{scene}: receivers: nothing to solve, expected at least one receiver set or camera")
+
+
+def estimate(reader, options):
+    """Runs the estimator over all receiver sets at once, then once per camera.
+
+    Returns the receivers, the images by camera name, and every output whose field data tell how it was solved.
+    """
+    receivers, images, outputs = [], {}, []
+    names = receiver_names(reader)
+    if names:
+        blocks = run(illuminance(reader, options), "illuminance")
+        receivers = [from_dataset(name, blocks.GetBlock(i)) for i, name in enumerate(names)]
+        outputs.append(blocks)
+    for i, name in enumerate(camera_names(reader)):
+        images[name] = run(luminance_image(reader, i, options), f"luminance, {name}")
+        outputs.append(images[name])
+    return receivers, images, outputs
+
+
+def illuminance(reader, options):
+    """The filter that estimates all receiver sets of the scene."""
+    estimator = kalos.vtkKalosIlluminance()
+    estimator.SetInputConnection(0, reader.GetOutputPort(2))
+    estimator.SetInputConnection(1, reader.GetOutputPort(0))
+    estimator.SetInputConnection(2, reader.GetOutputPort(1))
+    options.apply(estimator)
+    return estimator
+
+
+def luminance_image(reader, index, options):
+    """The filter that estimates what camera `index` of the scene sees."""
+    estimator = kalos.vtkKalosLuminanceImage()
+    estimator.SetInputConnection(0, reader.GetOutputPort(0))
+    estimator.SetInputConnection(1, reader.GetOutputPort(1))
+    for get, put in ((reader.GetCameraPosition, estimator.SetPosition), (reader.GetCameraTarget, estimator.SetTarget),
+                     (reader.GetCameraUp, estimator.SetUp)):
+        vector = [0.0, 0.0, 0.0]
+        get(index, vector)
+        put(vector)
+    resolution = [0, 0]
+    reader.GetCameraResolution(index, resolution)
+    estimator.SetResolution(resolution)
+    estimator.SetFieldOfView(reader.GetCameraFieldOfView(index))
+    options.apply(estimator)
+    return estimator
+
+
+def summarise(scene, options, receivers, images, outputs):
+    """The content of summary.json."""
+    audit = []
+    for output in outputs:
+        audit += [entry for entry in figures.audit(output) if entry not in audit]
+    sets = {r.name: {**figures.statistics(r.illuminance, r.standard_error, r.weights),
+                     "trajectories": figures.trajectories(outputs[0])} for r in receivers}
+    cameras = {name: {**figures.image_statistics(image), "trajectories": figures.trajectories(image)}
+               for name, image in images.items()}
+    return {"kalos": kalos.__version__, "scene": str(scene), "method": options.method, "seed": options.seed, "audit": audit,
+            "receivers": sets, "cameras": cameras,
+            "seconds": sum(figures.field_value(o, arrays.SOLVE_SECONDS) or 0.0 for o in outputs),
+            "cpu_seconds": sum(figures.field_value(o, arrays.SOLVE_CPU_SECONDS) or 0.0 for o in outputs)}
+
+
+def write(folder, receivers, images, result):
+    """Tables, data sets, pictures and the summary."""
+    figures.write_json(folder / "summary.json", result)
+    for one in receivers:
+        write_csv(folder / f"{one.name}.csv", one)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(folder / f"{one.name}.vtp"))
+        writer.SetInputData(one.dataset)
+        update(writer, writer.Write)
+        pictures.draw_receivers(folder / f"{one.name}.png", one)
+    for name, image in images.items():
+        writer = kalos.vtkKalosEXRWriter()
+        writer.SetFileName(str(folder / f"{name}.exr"))
+        writer.SetInputData(image)
+        update(writer, writer.Write)
+        pictures.draw_image(folder / f"{name}.png", name, image)

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The figures that stand for a run: per receiver set and camera, with the audit of what was modelled."""
+import json
+import math
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from kalos import arrays
+
+
+def statistics(values, standard_error, weights=None):
+    """Mean, extremes, uniformities U0 = min/mean and Ud = min/max, and the largest relative standard error.
+
+    A ratio to nothing is None. The mean weighs by `weights` (areas); the smallest value is not corrected for noise.
+    """
+    mean = float(np.average(values, weights=weights))
+    low, high = float(values.min()), float(values.max())
+    dark = values == 0
+    relative = np.divide(standard_error, values, out=np.where(standard_error > 0, np.inf, 0.0), where=~dark)
+    worst = float(relative.max())
+    return {"mean": mean, "min": low, "max": high, "U0": low / mean if mean else None, "Ud": low / high if high else None,
+            "largest_relative_standard_error": worst if math.isfinite(worst) else None}
+
+
+def field_value(output, name):
+    """The number in a field data array of a data object."""
+    array = output.GetFieldData().GetArray(name)
+    return array.GetTuple1(0) if array else None
+
+
+def trajectories(output):
+    value = field_value(output, arrays.TRAJECTORIES)
+    return None if value is None else int(value)
+
+
+def audit(output):
+    """What the solve chose to model and why: a list of {subject, choice, reason}."""
+    table = output.GetFieldData().GetAbstractArray(arrays.AUDIT)
+    if table is None:
+        return []
+    cells = [table.GetValue(i) for i in range(table.GetNumberOfValues())]
+    return [dict(zip(("subject", "choice", "reason"), cells[i:i + 3])) for i in range(0, len(cells), 3)]
+
+
+def image_statistics(image):
+    values = vtk_to_numpy(image.GetPointData().GetArray(arrays.LUMINANCE)).astype(float)
+    error = vtk_to_numpy(image.GetPointData().GetArray(arrays.LUMINANCE_STANDARD_ERROR)).astype(float)
+    return {key: value for key, value in statistics(values, error).items() if key not in ("U0", "Ud")}
+
+
+def write_json(path, summary):
+    path.write_text(json.dumps(summary, indent=2, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
+
+
+def audit_text(entries):
+    """The audit for a person: subjects in a column, each with its choice and the reason."""
+    width = max((len(entry["subject"]) for entry in entries), default=0)
+    return "\n".join(f"  {entry['subject']:<{width}}  {entry['choice']}: {entry['reason']}" for entry in entries)
+
+
+def result_text(summary):
+    """The result table for a person."""
+    lines = []
+    for title, unit, sets in (("receivers", "lx", summary["receivers"]), ("camera", "cd/m²", summary["cameras"])):
+        if not sets:
+            continue
+        uniform = unit == "lx"
+        head = [title, f"mean {unit}", "min", "max", *(["U0", "Ud"] if uniform else []), "largest error", "trajectories"]
+        rows = [head]
+        for name, figures in sets.items():
+            keys = ["mean", "min", "max", *(["U0", "Ud"] if uniform else [])]
+            worst = figures["largest_relative_standard_error"]
+            rows.append([name, *(number(figures[key]) for key in keys),
+                         "-" if worst is None else f"{100 * worst:.3g} %", str(figures["trajectories"])])
+        widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
+        for row in rows:
+            lines.append("  " + row[0].ljust(widths[0]) + "".join("  " + c.rjust(w) for c, w in zip(row[1:], widths[1:])))
+    return "\n".join(lines)
+
+
+def number(value):
+    """Four significant digits, never in powers of ten between 0.001 and a million."""
+    if value is None:
+        return "-"
+    if value and not 1e-3 <= abs(value) < 1e6:
+        return f"{value:.3e}"
+    digits = max(0, 3 - math.floor(math.log10(abs(value)))) if value else 0
+    return f"{value:.{digits}f}"

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every method against every closed form: the table of `kalos validate`, and the cases that the tests use too."""
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Callable
+
+import numpy as np
+from scipy import stats
+
+from kalos import truths
+from kalos.errors import KalosError, update
+from kalos.estimator import METHODS, Options
+from kalos.receivers import from_dataset
+from kalos.solve import illuminance, read_scene, receiver_names
+
+DATA = Path(__file__).resolve().parents[2] / "data"
+REPLICATES = 32  # of every estimate; its standard error has one degree of freedom less
+FALSE_ALARM = 1e-4  # chance that a sound method fails a case, however many points the case has
+
+
+@dataclass(frozen=True)
+class Case:
+    """A scene whose illuminance is known at every receiver."""
+
+    name: str
+    scene: str  # below data/
+    truth: Callable  # of points (n, 3) and normals (n, 3): illuminance, lx, (n,)
+    trajectories: int
+    precision: float  # largest standard error that still tests something, relative to the largest truth
+    even: bool = False  # the illuminance is the same all over, so that a mean over a cell is as good as a point
+
+
+def even(value):
+    return lambda points, normals: np.full(len(points), value)
+
+
+def sobolev_case(h1, rho1, rho2):
+    def truth(points, normals):
+        return np.array([truths.sobolev(1, h1, 1, rho1, rho2, float(np.hypot(x, y))) for x, y, _ in points])
+
+    name = f"{10 * rho1:.0f}-{10 * rho2:.0f}"
+    return Case(f"Sobolev's planes, {rho1} {rho2}", f"sobolev/sobolev-{name}.json", truth, 100000, 0.01)
+
+
+CASES = [
+    Case("white furnace, boxes", "furnace/furnace.json", even(truths.white_furnace(0.6, 100)), 100000, 0.02, even=True),
+    sobolev_case(0.5, 0.5, 0.5),
+    sobolev_case(0.5, 0.8, 0.8),
+    sobolev_case(0.9, 0.2, 0.7),
+    Case("CIE 171 5.2, point", "cie171/5-2.json", lambda p, n: truths.cie171_point(p), 10000, 1e-3),
+    Case("CIE 171 5.3, area", "cie171/5-3.json", truths.cie171_area, 10000, 1e-3),
+    Case("CIE 171 5.4, isotropic", "cie171/5-4.json",
+         lambda p, n: truths.isotropic_point(p, n, np.array([2, 2, 1.5]), 10000), 10000, 1e-3),
+    Case("CIE 171 5.6, reflection", "cie171/5-6.json", lambda p, n: 300 * truths.cie171_reflection(p, n), 10000, 1e-3),
+    Case("CIE 171 5.7, obstruction", "cie171/5-7.json", lambda p, n: 300 * truths.cie171_obstruction(p, n), 100000, 0.01),
+]
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """How far an estimate is from the truth, in standard errors, and how far it may be."""
+
+    points: int
+    worst: float  # largest deviation, standard errors
+    allowed: float
+    error: float  # largest standard error, relative to the largest truth
+    precision: float
+
+    @property
+    def passed(self):
+        return self.worst <= self.allowed and self.error <= self.precision
+
+
+def allowed_deviation(points, false_alarm=FALSE_ALARM, freedom=REPLICATES - 1):
+    """Standard errors that none of `points` values may be off by, but for the given chance.
+
+    Student's t, for the standard errors are estimates; Sidak's correction, which also holds for dependent values.
+    """
+    single = 1 - (1 - false_alarm) ** (1 / points)
+    return float(stats.t.isf(single / 2, freedom))
+
+
+def judge(estimate, standard_error, truth, precision, false_alarm=FALSE_ALARM):
+    """The verdict on estimates of known values. A value without noise may be off by rounding, 1e-9 of the largest."""
+    scale = np.max(np.abs(truth))
+    deviation = np.maximum(np.abs(estimate - truth) - 1e-9 * scale, 0)
+    in_errors = np.divide(deviation, standard_error, out=np.where(deviation > 0, np.inf, 0.0), where=standard_error > 0)
+    return Verdict(len(truth), float(in_errors.max()), allowed_deviation(len(truth), false_alarm),
+                   float(standard_error.max() / scale), precision)
+
+
+def solve_receivers(path, options):
+    """The receiver sets of a scene file, estimated."""
+    reader = read_scene(path)
+    estimator = illuminance(reader, options)
+    update(estimator)
+    blocks = estimator.GetOutputDataObject(0)
+    return [from_dataset(name, blocks.GetBlock(i)) for i, name in enumerate(receiver_names(reader))]
+
+
+def examine(case, options, data=DATA):
+    """Solves a case and judges all its receivers together."""
+    sets = solve_receivers(Path(data) / case.scene, options)
+    truth = np.concatenate([case.truth(r.points, r.normals) for r in sets])
+    estimate = np.concatenate([r.illuminance for r in sets])
+    error = np.concatenate([r.standard_error for r in sets])
+    return judge(estimate, error, truth, case.precision)
+
+
+def available_methods(data, seed):
+    """The methods that this build has."""
+    found = []
+    for method in METHODS:
+        try:
+            examine(CASES[4], Options(method=method, trajectories=REPLICATES, seed=seed), data)
+            found.append(method)
+        except KalosError as error:
+            if "available" not in str(error):
+                raise
+    return found
+
+
+def validate(data=None, trajectories=None, seed=1, say=print):
+    """Prints the table; returns whether every method passed every case it applies to."""
+    data = Path(data) if data else DATA
+    methods = available_methods(data, seed)
+    missing = [method for method in METHODS if method not in methods]
+    say(f"seed {seed}; chance that a sound method fails a case: {FALSE_ALARM:g}")
+    say(f"{'case':<28} {'method':<17} {'points':>6} {'off by':>8} {'allowed':>8} {'error':>9}  result")
+    passed = True
+    for case in CASES:
+        for method in methods:
+            if method == "direct" and not case.even:
+                continue  # it knows means over cells, not points
+            options = Options(method=method, trajectories=trajectories or case.trajectories, seed=seed)
+            verdict = examine(case, options, data)
+            passed = passed and verdict.passed
+            say(f"{case.name:<28} {method:<17} {verdict.points:>6} {verdict.worst:>5.2f} SE {verdict.allowed:>5.2f} SE "
+                f"{100 * verdict.error:>7.3f} %  {'pass' if verdict.passed else 'FAIL'}")
+    if missing:
+        say(f"not in this build: {', '.join(missing)}")
+    return passed
