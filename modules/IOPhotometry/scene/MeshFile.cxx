@@ -136,7 +136,8 @@ Mesh ReadObj(const std::string& path, const Materials& materials)
     const auto found = materials.find(name);
     if (found == materials.end())
     {
-      throw SceneError(path, "usemtl " + name, "no such material in the scene; expected a name from \"materials\"");
+      throw SceneError(path, "usemtl " + Quotable(name),
+                       "no such material in the scene; expected a name from \"materials\"");
     }
     mesh.Palette.push_back(found->second);
   }

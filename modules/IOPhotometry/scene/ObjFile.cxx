@@ -2,7 +2,6 @@
 #include "ObjFile.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <locale>
 #include <sstream>
@@ -78,10 +77,7 @@ private:
     }
     else if (std::find(std::begin(ignored), std::end(ignored), keyword) == std::end(ignored))
     {
-      std::replace_if(
-          keyword.begin(), keyword.end(), [](unsigned char c) { return !std::isprint(c); }, '?');
-      this->Fail("unknown statement '" + keyword.substr(0, 40) +
-                 "'; expected v, f, usemtl or another of a polygon mesh");
+      this->Fail("unknown statement '" + Quotable(keyword) + "'; expected v, f, usemtl or another of a polygon mesh");
     }
   }
 
@@ -99,7 +95,7 @@ private:
       if (!(number >> index) || number.peek() != std::istringstream::traits_type::eof() || index == 0 ||
           index > count || index < -count)
       {
-        this->Fail("a face corner '" + digits.substr(0, 40) + "'; expected a vertex number from 1 to " +
+        this->Fail("a face corner '" + Quotable(digits) + "'; expected a vertex number from 1 to " +
                    std::to_string(count));
       }
       corners.push_back(index > 0 ? index - 1 : count + index);

@@ -243,7 +243,7 @@ private:
       const double value = std::strtod(word.c_str(), &end);
       if (*end != '\0')
       {
-        this->Fail("'" + word.substr(0, 20) + "'; expected a number");
+        this->Fail("'" + Quotable(word) + "'; expected a number");
       }
       return value;
     }

@@ -3,18 +3,36 @@
 #ifndef KalosSceneError_h
 #define KalosSceneError_h
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
 namespace kalos::scene
 {
+/** Line breaks and other control characters, as names may hold, become question marks. */
+inline std::string OneLine(std::string text)
+{
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  return text;
+}
+
+/** Bytes of a damaged file, fit for a message: at most 40, those that are not ASCII as question marks. */
+inline std::string Quotable(std::string text)
+{
+  text = text.substr(0, 40);
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c > 126; }, '?');
+  return text;
+}
+
 /** The message is `FILE: WHERE: what is wrong and what is expected`; FILE is filled in by whoever knows it. */
 class SceneError : public std::runtime_error
 {
 public:
-  SceneError(const std::string& where, const std::string& what) : std::runtime_error(where + ": " + what) {}
+  SceneError(const std::string& where, const std::string& what) : std::runtime_error(OneLine(where + ": " + what)) {}
   SceneError(const std::string& file, const std::string& where, const std::string& what)
-      : std::runtime_error(file + ": " + where + ": " + what), HasFile(true)
+      : std::runtime_error(OneLine(file + ": " + where + ": " + what)), HasFile(true)
   {
   }
 

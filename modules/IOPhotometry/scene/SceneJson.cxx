@@ -112,7 +112,7 @@ json ParseJson(const std::string& text)
     const std::size_t colon = reason.find(": ", place == std::string::npos ? 0 : place);
     reason = colon == std::string::npos ? reason : reason.substr(colon + 2);
     std::replace_if(
-        reason.begin(), reason.end(), [](unsigned char c) { return c < ' '; }, ' ');
+        reason.begin(), reason.end(), [](unsigned char c) { return c > 126; }, '?');
     throw SceneError(LineAndColumn(text, error.byte), "malformed JSON: " + reason);
   }
   catch (const json::out_of_range& error)

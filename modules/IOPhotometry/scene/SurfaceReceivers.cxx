@@ -70,6 +70,11 @@ std::pair<int, double> LongestEdge(const Triangle& t)
   return longest;
 }
 
+[[noreturn]] void FailTooMany()
+{
+  throw std::length_error("a longer edge: at most " + std::to_string(MaximumSurfaceReceivers) + " triangles");
+}
+
 class Output
 {
 public:
@@ -84,7 +89,7 @@ public:
   {
     if (this->Triangles->GetNumberOfCells() == MaximumSurfaceReceivers)
     {
-      throw std::length_error("a longer edge: at most " + std::to_string(MaximumSurfaceReceivers) + " triangles");
+      FailTooMany();
     }
     const Vector3 area = Cross(Subtract(t[1], t[0]), Subtract(t[2], t[0]));
     const Vector3 normal = Scale((flip ? -1.0 : 1.0) / Norm(area), area);
@@ -115,6 +120,17 @@ private:
 
 vtkSmartPointer<vtkPolyData> MakeSurfaceReceivers(const Mesh& mesh, double edgeLength, bool flip)
 {
+  // No triangle is larger than the equilateral one: tell before the work what cannot work.
+  double area = 0.0;
+  for (std::size_t p = 0; p < mesh.NumberOfPolygons(); ++p)
+  {
+    area += Norm(mesh.Area(p));
+  }
+  if (area > 0.433 * edgeLength * edgeLength * static_cast<double>(MaximumSurfaceReceivers))
+  {
+    FailTooMany();
+  }
+
   Output output;
   for (std::size_t p = 0; p < mesh.NumberOfPolygons(); ++p)
   {
