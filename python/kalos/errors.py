@@ -47,4 +47,6 @@ def update(algorithm, request=None):
 
 def plain(text):
     """The message of a VTK error event without the source line and the address before it."""
+    if text is None:  # the wrapping decodes UTF-8 only, and a message quotes what it found
+        return "input: not UTF-8 text; expected UTF-8"
     return re.sub(r"\A(?:ERROR|Warning): In .*?\n(?:\w+ \([^)]*\): )?", "", text, flags=re.DOTALL).strip()

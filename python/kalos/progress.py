@@ -33,8 +33,9 @@ class ProgressBar:
         self.stream.flush()
 
     def close(self):
-        self.stream.write("\n")
-        self.stream.flush()
+        if self.shown >= 0:
+            self.stream.write("\n")
+            self.stream.flush()
 
 
 def run(algorithm, label, stream=None):
@@ -43,9 +44,13 @@ def run(algorithm, label, stream=None):
     Ctrl-C stops it cleanly, as a KalosError.
     """
     bar = ProgressBar(label, stream)
-    bar.show(0)
+
+    def show(caller, _event):
+        if 0 < caller.GetProgress() < 1:  # VTK reports 1 after a failure too
+            bar.show(caller.GetProgress())
+
     with stop_signals(algorithm) as stop:
-        tag = algorithm.AddObserver("ProgressEvent", lambda caller, _event: bar.show(caller.GetProgress()))
+        tag = algorithm.AddObserver("ProgressEvent", show)
         try:
             update(algorithm)
             if not stop:

@@ -23,7 +23,7 @@ def solve(scene, out, options=Options(), say=lambda text: None):
     """
     started = time.perf_counter()
     reader = read_scene(scene)
-    check_names(reader, scene)
+    check_results(reader, scene)
     setup = time.perf_counter() - started
     with staged(out) as folder:
         receivers, images, outputs = estimate(reader, options)
@@ -59,19 +59,11 @@ def camera_names(reader):
     return [reader.GetCameraName(i) for i in range(reader.GetNumberOfCameras())]
 
 
-def check_names(reader, scene):
-    """Names become file names in one folder: they must fit one and differ from each other."""
-    seen = set()
-    for where, names in (("receivers", receiver_names(reader)), ("cameras", camera_names(reader))):
-        for i, name in enumerate(names):
-            at = f"{scene}: {where}[{i}].name"
-            if not name or name.startswith(".") or any(c in "/\\:" or ord(c) < 32 for c in name):
-                raise KalosError(f"{at}: '{name}' cannot name a file, expected letters, digits, '-' or '_'")
-            if name.lower() in seen | {"summary"}:
-                raise KalosError(f"{at}: '{name}' is taken, expected a name that no other receiver set or camera has")
-            seen.add(name.lower())
-    if not seen:
-        raise KalosError(f"{scene}: receivers: nothing to solve, expected at least one receiver set or camera")
+def check_results(reader, scene):
+    """No results may displace the summary; the reader has seen to it that they do not displace each other."""
+    if "summary" in receiver_names(reader) + camera_names(reader):
+        raise KalosError(f"{scene}: scene: a receiver set or camera is named summary; expected another name, as the "
+                         "results stand in summary.json")
 
 
 def estimate(reader, options):
@@ -141,6 +133,7 @@ def write(folder, receivers, images, result):
         write_csv(folder / f"{one.name}.csv", one)
         writer = vtkXMLPolyDataWriter()
         writer.SetFileName(str(folder / f"{one.name}.vtp"))
+        writer.SetDataModeToBinary()  # the reader of VTK 9.2 stumbles over some appended sections of small files
         writer.SetInputData(one.dataset)
         update(writer, writer.Write)
         pictures.draw_receivers(folder / f"{one.name}.png", one)

@@ -44,7 +44,7 @@ def sobolev_case(h1, rho1, rho2):
 
 
 CASES = [
-    Case("white furnace, boxes", "furnace/furnace.json", even(truths.white_furnace(0.6, 100)), 100000, 0.02, cell=0.25),
+    Case("white furnace, boxes", "furnace/furnace.json", even(truths.white_furnace(0.6, 100)), 1000000, 0.03, cell=0.25),
     sobolev_case(0.5, 0.5, 0.5),
     sobolev_case(0.5, 0.8, 0.8),
     sobolev_case(0.9, 0.2, 0.7),
@@ -53,7 +53,7 @@ CASES = [
     Case("CIE 171 5.4, isotropic", "cie171/5-4.json",
          lambda p, n: truths.isotropic_point(p, n, np.array([2, 2, 1.5]), 10000), 10000, 1e-3),
     Case("CIE 171 5.6, reflection", "cie171/5-6.json", lambda p, n: 300 * truths.cie171_reflection(p, n), 10000, 1e-3),
-    Case("CIE 171 5.7, obstruction", "cie171/5-7.json", lambda p, n: 300 * truths.cie171_obstruction(p, n), 100000, 0.01),
+    Case("CIE 171 5.7, obstruction", "cie171/5-7.json", lambda p, n: 300 * truths.cie171_obstruction(p, n), 400000, 0.01),
 ]
 
 

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every message about a bad option or output folder: exit status 2 and one line, before anything is solved."""
+import pytest
+from conftest import launch, one_line
+
+COUNT = "expected a whole number from 1 to 9223372036854775807"
+LENGTH = "expected a length > 0, in metres"
+
+BAD = [
+    ("--trajectories", "-5", COUNT), ("--trajectories", "0", COUNT), ("--trajectories", "1.5", COUNT),
+    ("--trajectories", "9223372036854775808", COUNT),
+    ("--delta", "nan", LENGTH), ("--delta", "-1", LENGTH), ("--delta", "0", LENGTH), ("--epsilon", "inf", LENGTH),
+    ("--epsilon", "wide", LENGTH),
+    ("--error", "0", "expected a relative error > 0 and < 1, such as 0.01"),
+    ("--error", "1", "expected a relative error > 0 and < 1, such as 0.01"),
+    ("--time", "-1", "expected a time > 0, in seconds"),
+    ("--seed", "-1", "expected a whole number from 0 to 2147483647"),
+    ("--threads", "many", "expected a whole number from 0 (all) to 1024"),
+]
+
+
+@pytest.mark.parametrize("option, value, expected", BAD)
+def test_bad_value(scene, command, tmp_path, option, value, expected):
+    status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", option, value)
+    assert status == 2
+    assert one_line(error) == f"{option}: '{value}' is not allowed, {expected}; kalos solve --help tells more"
+    assert not (tmp_path / "out").exists()
+
+
+def test_unknown_method(scene, command, tmp_path):
+    status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", "--method", "magic")
+    assert status == 2 and one_line(error).startswith("--method: invalid choice: 'magic' (choose from 'compensated', ")
+
+
+def test_method_that_is_not_built(scene, command, tmp_path):
+    for method in ("compensated", "gathered", "sphere-published", "sphere-exact", "disc", "clamped"):
+        status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", "--method", method)
+        if status == 0:
+            continue  # it has been built
+        assert status == 2 and one_line(error).startswith("method: ")
+        assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("arguments, message", [
+    ((), "missing COMMAND; kalos --help tells more"),
+    (("solve",), "missing SCENE.json, --out; kalos solve --help tells more"),
+    (("solve", "a.json"), "missing --out; kalos solve --help tells more"),
+    (("solve", "a.json", "--out"), "--out: expected one argument; kalos solve --help tells more"),
+    (("solve", "a.json", "--out", "b", "--bogus"), "unrecognized arguments: --bogus; kalos --help tells more")])
+def test_bad_usage(command, arguments, message):
+    status, _, error = command(*arguments)
+    assert (status, one_line(error)) == (2, message)
+
+
+def test_unknown_command(command):
+    status, _, error = command("slove")
+    assert status == 2 and one_line(error).startswith("COMMAND: invalid choice: 'slove'")
+
+
+@pytest.mark.parametrize("below", ["", "/deeper"])
+def test_output_folder_is_a_file(scene, command, tmp_path, below):
+    (tmp_path / "taken").write_text("precious")
+    out = f"{tmp_path}/taken{below}"
+    status, _, error = command("solve", scene.save(), "--out", out)
+    assert status == 2
+    assert one_line(error) == f"{out}: --out: cannot be written (Not a directory), expected a folder to write into"
+    assert (tmp_path / "taken").read_text() == "precious"
+
+
+def test_output_folder_on_a_file_system_that_refuses(scene, command):
+    status, _, error = command("solve", scene.save(), "--out", "/proc/kalos/out")
+    assert status == 2
+    assert one_line(error).startswith("/proc/kalos/out: --out: cannot be written (")
+
+
+def test_help_and_version_from_the_build_tree():
+    process = launch("--help")
+    out, error = process.communicate(timeout=60)
+    assert process.returncode == 0 and not error
+    assert "solve" in out and "validate" in out
+    process = launch("--version")
+    assert process.communicate(timeout=60)[0].startswith("kalos 0.")
+
+
+def test_help_of_solve_names_every_option(command):
+    status, out, _ = command("solve", "--help")
+    assert status == 0
+    for option in ("--out", "--method", "--trajectories", "--delta", "--epsilon", "--error", "--time", "--seed", "--threads"):
+        assert option in out

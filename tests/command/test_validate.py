@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`kalos validate` prints a line per case and method, and fails when one of them fails."""
+import kalos.validate
+from kalos import truths
+
+
+def test_passes(command):
+    status, out, _ = command("validate")
+    lines = out.splitlines()
+    assert lines[0].startswith("seed 1; chance that a sound method fails a case: 0.0001")
+    for case in kalos.validate.CASES:
+        assert any(line.startswith(case.name) and " local " in line for line in lines)
+    assert status == 0 and "FAIL" not in out, out
+
+
+def test_fails_when_too_noisy(command):
+    status, out, _ = command("validate", "--trajectories", 64)
+    assert status == 1 and "FAIL" in out
+
+
+def test_fails_when_the_truth_is_another(command, monkeypatch):
+    wrong = kalos.validate.Case("wrong", "cie171/5-2.json", lambda p, n: 1.001 * truths.cie171_point(p), 1000, 1e-3)
+    monkeypatch.setattr(kalos.validate, "CASES", [*kalos.validate.CASES[:0], *[wrong] * 5])
+    status, out, _ = command("validate")
+    assert status == 1 and "FAIL" in out
+
+
+def test_missing_data(command, tmp_path):
+    status, _, error = command("validate", "--data", tmp_path)
+    assert status == 2 and error.startswith(f"kalos: error: {tmp_path}/")
