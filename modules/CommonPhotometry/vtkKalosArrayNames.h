@@ -12,40 +12,44 @@
 namespace vtkKalosArrayNames
 {
 // Surfaces, cell data of vtkPolyData.
-constexpr const char* Reflectance = "Reflectance"; ///< diffuse reflectance [0,1), 1 or n components; required
-constexpr const char* Specular = "Specular";       ///< normal-incidence reflectance of the glossy lobe [0,1)
-constexpr const char* Roughness = "Roughness";     ///< GGX roughness of the glossy lobe (0,1]
-constexpr const char* Mirror = "Mirror";           ///< reflectance of a perfect mirror [0,1)
-constexpr const char* Exitance = "Exitance";       ///< emitted on the side of the normal, lm/m², 1 or n components
-constexpr const char* SurfaceId = "SurfaceId";     ///< index into the field data array SurfaceNames
-constexpr const char* SurfaceNames = "SurfaceNames"; ///< field data, strings
+constexpr const char* Reflectance = "Reflectance";    ///< diffuse reflectance [0,1), 1 or n components; required
+constexpr const char* Specular = "Specular";          ///< normal-incidence reflectance of the glossy lobe [0,1)
+constexpr const char* Roughness = "Roughness";        ///< GGX roughness of the glossy lobe (0,1]
+constexpr const char* Mirror = "Mirror";              ///< reflectance of a perfect mirror [0,1)
+constexpr const char* Exitance = "Exitance";          ///< emitted on the side of the normal, lm/m², 1 or n components
+constexpr const char* SurfaceId = "SurfaceId";        ///< index into the field data array SurfaceNames
+constexpr const char* SurfaceNames = "SurfaceNames";  ///< field data, strings
 
 // Luminaires, point data of vtkPolyData vertices.
-constexpr const char* LuminousFlux = "LuminousFlux"; ///< lm
-constexpr const char* Direction = "Direction";       ///< unit vector of the photometric axis (nadir of the table)
-constexpr const char* Up = "Up";                     ///< unit vector to the half-plane C = 90 deg of the table
-constexpr const char* Distribution = "Distribution"; ///< 0 isotropic, 1 Lambertian, 2.. a candela table of the field data
-constexpr const char* SideU = "SideU"; ///< full side of a luminous rectangle, m, 3 components; zero for a point
-constexpr const char* SideV = "SideV"; ///< the other side, m
-constexpr const char* LuminaireNames = "LuminaireNames"; ///< point data, strings
+constexpr const char* LuminousFlux = "LuminousFlux";  ///< lm
+constexpr const char* Direction = "Direction";        ///< unit vector of the photometric axis (nadir of the table)
+constexpr const char* Up = "Up";                      ///< unit vector to the half-plane C = 90 deg of the table
+constexpr const char* Distribution =
+    "Distribution";                     ///< 0 isotropic, 1 Lambertian, 2.. a candela table of the field data
+constexpr const char* SideU = "SideU";  ///< full side of a luminous rectangle, m, 3 components; zero for a point
+constexpr const char* SideV = "SideV";  ///< the other side, m
+constexpr const char* LuminaireNames = "LuminaireNames";  ///< point data, strings
 
 // Results on receivers.
-constexpr const char* Illuminance = "Illuminance";                           ///< lx
-constexpr const char* IlluminanceStandardError = "IlluminanceStandardError"; ///< lx
-constexpr const char* DirectIlluminance = "DirectIlluminance";               ///< lx, straight from the emitters
-constexpr const char* IlluminanceBands = "IlluminanceBands";                 ///< lx, n components, when n > 1
+constexpr const char* Illuminance = "Illuminance";                            ///< lx
+constexpr const char* IlluminanceStandardError = "IlluminanceStandardError";  ///< lx
+constexpr const char* DirectIlluminance = "DirectIlluminance";                ///< lx, straight from the emitters
+constexpr const char* KernelCorrection = "KernelCorrection";    ///< lx, altered less plain kernel, same trajectories
+constexpr const char* LargestScoreShare = "LargestScoreShare";  ///< largest single score over the sum, [0, 1]
+constexpr const char* IntervalTrusted = "IntervalTrusted";      ///< 1 where the standard error can be believed, else 0
+constexpr const char* IlluminanceBands = "IlluminanceBands";    ///< lx, n components, when n > 1
 
 // Results on surfaces and images.
-constexpr const char* Luminance = "Luminance";                           ///< cd/m²
-constexpr const char* LuminanceStandardError = "LuminanceStandardError"; ///< cd/m²
-constexpr const char* LuminanceBands = "LuminanceBands";                 ///< cd/m², n components, when n > 1
+constexpr const char* Luminance = "Luminance";                            ///< cd/m²
+constexpr const char* LuminanceStandardError = "LuminanceStandardError";  ///< cd/m²
+constexpr const char* LuminanceBands = "LuminanceBands";                  ///< cd/m², n components, when n > 1
 
 // Field data of every result.
-constexpr const char* Audit = "Audit";                     ///< strings, 3 components: subject, choice, reason
-constexpr const char* Trajectories = "Trajectories";       ///< trajectories traced over all replicates
-constexpr const char* SolveSeconds = "SolveSeconds";       ///< s, wall clock of the solve, set-up apart
-constexpr const char* SolveCpuSeconds = "SolveCpuSeconds"; ///< s, processor time of the solve
-constexpr const char* Seed = "Seed";                       ///< seed of the random numbers
-}
+constexpr const char* Audit = "Audit";                      ///< strings, 3 components: subject, choice, reason
+constexpr const char* Trajectories = "Trajectories";        ///< trajectories traced over all replicates
+constexpr const char* SolveSeconds = "SolveSeconds";        ///< s, wall clock of the solve, set-up apart
+constexpr const char* SolveCpuSeconds = "SolveCpuSeconds";  ///< s, processor time of the solve
+constexpr const char* Seed = "Seed";                        ///< seed of the random numbers
+}  // namespace vtkKalosArrayNames
 
 #endif

@@ -15,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 namespace
 {
@@ -72,6 +73,16 @@ void AddColumn(vtkDataSetAttributes* data, const char* name, const std::vector<d
               array->GetPointer(0));
   data->AddArray(array);
 }
+
+void AddFlags(vtkDataSetAttributes* data, const char* name, const std::vector<char>& flags, std::size_t first,
+              vtkIdType count)
+{
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(count);
+  std::copy_n(flags.begin() + static_cast<std::ptrdiff_t>(first), count, array->GetPointer(0));
+  data->AddArray(array);
+}
 }  // namespace
 
 std::vector<vtkDataSet*> LeavesOf(vtkDataObject* object)
@@ -116,6 +127,10 @@ std::size_t AttachResults(const kalos::Result& result, std::size_t first, vtkDat
   AddColumn(data, Names::Illuminance, result.illuminance, first, count);
   AddColumn(data, Names::IlluminanceStandardError, result.standardError, first, count);
   AddColumn(data, Names::DirectIlluminance, result.direct, first, count);
+  AddColumn(data, Names::LargestScoreShare, result.largestScoreShare, first, count);
+  AddFlags(data, Names::IntervalTrusted, result.trusted, first, count);
+  if (result.alteredKernel)
+    AddColumn(data, Names::KernelCorrection, result.kernelCorrection, first, count);
   if (result.bands > 1)
     AddColumn(data, Names::IlluminanceBands, result.illuminanceBands, first, count, result.bands);
   data->SetActiveScalars(Names::Illuminance);

@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -57,6 +58,41 @@ kalos::Vec3 ToVec3(const double v[3])
   return {v[0], v[1], v[2]};
 }
 
+double ReadNumber(vtkDataArray* array, vtkIdType cell, double absent, double highest)
+{
+  if (!array)
+    return absent;
+  const double v = array->GetComponent(cell, 0);
+  if (!(v >= 0 && v <= highest))
+    Refuse(array->GetName(), "cell", cell, "is " + std::to_string(v) + ", expected a number from 0 to 1");
+  return v;
+}
+
+kalos::Material ReadMaterial(vtkCellData* data, vtkIdType cell, int bands)
+{
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  kalos::Material material;
+  material.reflectance = ReadBands(data->GetArray(Names::Reflectance), cell, bands, 1);
+  if (vtkDataArray* exitance = data->GetArray(Names::Exitance))
+    material.exitance = ReadBands(exitance, cell, bands, unlimited);
+  material.specular = ReadNumber(data->GetArray(Names::Specular), cell, 0, 1);
+  material.roughness = ReadNumber(data->GetArray(Names::Roughness), cell, 1, 1);
+  material.mirror = ReadNumber(data->GetArray(Names::Mirror), cell, 0, 1);
+  for (int b = 0; b < bands; ++b)
+    if (!(material.reflectance[b] + material.specular + material.mirror < 1))
+      Refuse(Names::Reflectance, "cell", cell, "with Specular and Mirror must sum to less than 1");
+  if (material.specular > 0 && !(material.roughness > 0))
+    Refuse(Names::Roughness, "cell", cell, "is 0, expected a number in (0, 1]; use Mirror for a perfect mirror");
+  return material;
+}
+
+using MaterialKey = std::tuple<kalos::Bands, kalos::Bands, double, double, double>;
+
+MaterialKey KeyOf(const kalos::Material& m)
+{
+  return {m.reflectance, m.exitance, m.specular, m.roughness, m.mirror};
+}
+
 void AddSurfaces(vtkPolyData* input, kalos::SceneDescription& scene)
 {
   vtkNew<vtkTriangleFilter> triangulate;
@@ -78,19 +114,15 @@ void AddSurfaces(vtkPolyData* input, kalos::SceneDescription& scene)
     scene.points.push_back(ToVec3(triangles->GetPoint(i)));
 
   // Cells of equal properties share a material.
-  std::map<std::pair<kalos::Bands, kalos::Bands>, std::uint32_t> known;
+  std::map<MaterialKey, std::uint32_t> known;
   auto cells = vtk::TakeSmartPointer(triangles->GetPolys()->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
   {
     vtkIdType count;
     const vtkIdType* ids;
     cells->GetCurrentCell(count, ids);
-    const vtkIdType cell = cells->GetCurrentCellId();
-    kalos::Material material;
-    material.reflectance = ReadBands(reflectance, cell, scene.bands, 1);
-    if (exitance)
-      material.exitance = ReadBands(exitance, cell, scene.bands, std::numeric_limits<double>::infinity());
-    const auto found = known.emplace(std::make_pair(material.reflectance, material.exitance), scene.materials.size());
+    const kalos::Material material = ReadMaterial(triangles->GetCellData(), cells->GetCurrentCellId(), scene.bands);
+    const auto found = known.emplace(KeyOf(material), scene.materials.size());
     if (found.second)
       scene.materials.push_back(material);
     scene.triangles.push_back(

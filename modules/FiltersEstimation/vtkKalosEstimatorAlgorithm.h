@@ -46,7 +46,7 @@ public:
 
   ///@{
   /**
-   * The estimator, a MethodType. Default LOCAL.
+   * The estimator, a MethodType. Default COMPENSATED.
    */
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
@@ -94,7 +94,8 @@ public:
 
   ///@{
   /**
-   * Distance below which the sphere methods average, m. Default 0: automatic.
+   * Distance below which the sphere methods average and CLAMPED clamps, m; at most the size of the scene. Default 0:
+   * automatic.
    */
   vtkSetMacro(Delta, double);
   vtkGetMacro(Delta, double);
@@ -102,7 +103,8 @@ public:
 
   ///@{
   /**
-   * Radius of the averaging sphere or disc, half side of a point's cell for DIRECT, m. Default 0: automatic.
+   * Radius of the averaging sphere or disc, half side of a point's cell for DIRECT, m; at most the size of the scene.
+   * Default 0: automatic.
    */
   vtkSetMacro(Epsilon, double);
   vtkGetMacro(Epsilon, double);
@@ -120,7 +122,7 @@ protected:
   /// Attaches the field data of the class comment.
   void Describe(const kalos::Result& result, vtkFieldData* fieldData) const;
 
-  int Method = LOCAL;
+  int Method = COMPENSATED;
   vtkIdType Trajectories = 0;
   double RelativeError = 0;
   double Seconds = 0;

@@ -11,11 +11,14 @@
  * Direction, Distribution, SideU and SideV.
  *
  * Output: the receivers, of the same type, with the arrays Illuminance (lx), IlluminanceStandardError (lx),
- * DirectIlluminance (lx) and, when the surfaces have n > 1 bands, IlluminanceBands (lx, n components); and the field
- * data of vtkKalosEstimatorAlgorithm.
+ * DirectIlluminance (lx), LargestScoreShare (largest single score over the sum of all), IntervalTrusted (0 where the
+ * standard error can not be believed: one score dominates, or the surroundings are too near to have been sampled); for
+ * a method that alters the kernel KernelCorrection (lx, what the alteration added on the same trajectories); when the
+ * surfaces have n > 1 bands IlluminanceBands (lx, n components); and the field data of vtkKalosEstimatorAlgorithm.
  *
- * The methods are described in the headers of modules/Kernels/estimator; LOCAL is equation (E1):
- * E(r) = E_direct(r) + sum w_i (rho/pi) cos(theta) cos(theta') V / d^2.
+ * LOCAL is equation (E1): E(r) = E_direct(r) + sum w_i (rho/pi) cos(theta) cos(theta') V / d^2, with spikes at concave
+ * edges. SPHERE_PUBLISHED, SPHERE_EXACT, DISC and CLAMPED take the spikes out and are biased there. COMPENSATED is
+ * bounded and unbiased. DIRECT counts the flux through a cell. Formulas, bias and sources: modules/Kernels/estimator.
  */
 #ifndef vtkKalosIlluminance_h
 #define vtkKalosIlluminance_h

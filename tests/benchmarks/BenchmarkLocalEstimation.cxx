@@ -10,6 +10,7 @@
 #include "Rooms.h"
 #include "estimator/PairKernel.h"
 #include "estimator/Solver.h"
+#include "estimator/Trajectories.h"
 
 using namespace kalos;
 
@@ -53,10 +54,11 @@ struct BareRays
     PairBlock block;
     for (std::size_t i = 0; i < receivers.points.size(); ++i)
     {
-      const ReceiverPoint r(scene, receivers.points[i], receivers.normals[i]);
+      const Sensor r(scene, receivers.points[i] - scene.origin(), receivers.normals[i]);
       for (std::size_t begin = 0; begin < v.size(); begin += PairBlock::capacity)
       {
-        formPairs(v, begin, static_cast<int>(std::min<std::size_t>(PairBlock::capacity, v.size() - begin)), r, block);
+        formPairs(v, begin, static_cast<int>(std::min<std::size_t>(PairBlock::capacity, v.size() - begin)), r, 0,
+                  block);
         for (int k = 0; k < block.count; ++k, lane = (lane + 1) % SegmentPacket::width)
         {
           if (lane == 0)
@@ -84,6 +86,7 @@ void LocalEstimationAgainstBareRays(benchmark::State& state)
   const Scene scene(room());
   const Receivers receivers = floorGrid(32);
   Settings s;
+  s.method = Method::Local;
   s.trajectories = 3200;
   s.threads = 1;
   const BareRays bare(scene, receivers, static_cast<int>(s.trajectories));
@@ -103,6 +106,7 @@ void LocalEstimationOnTwoThreads(benchmark::State& state)
   const Scene scene(room());
   const Receivers receivers = floorGrid(32);
   Settings s;
+  s.method = Method::Local;
   s.trajectories = 6400;
   double one = 0, two = 0;
   for (auto _ : state)
@@ -126,10 +130,10 @@ void UnshadowedPairs(benchmark::State& state)
   for (auto _ : state)
     for (std::size_t i = 0; i < receivers.points.size(); ++i)
     {
-      const ReceiverPoint r(scene, receivers.points[i], receivers.normals[i]);
+      const Sensor r(scene, receivers.points[i] - scene.origin(), receivers.normals[i]);
       for (std::size_t begin = 0; begin + PairBlock::capacity <= v.size(); begin += PairBlock::capacity)
       {
-        formPairs(v, begin, PairBlock::capacity, r, block);
+        formPairs(v, begin, PairBlock::capacity, r, 0, block);
         benchmark::DoNotOptimize(block.count);
         pairs += PairBlock::capacity;
       }

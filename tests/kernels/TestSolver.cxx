@@ -31,7 +31,7 @@ static Settings quick(Method method = Method::Local, long long trajectories = 64
 TEST(Solver, ThreadsDoNotChangeABit)
 {
   const Scene scene(rooms::furnace(0.6, 100));
-  for (Method method : {Method::Local, Method::Direct})
+  for (Method method : {Method::Local, Method::Direct, Method::Compensated, Method::SphereExact, Method::Disc})
   {
     Settings s = quick(method, 3200);
     s.threads = 1;
@@ -155,6 +155,7 @@ TEST(Solver, StopsWhenTheErrorIsReached)
 {
   const Scene scene(rooms::litRoom(0.7));
   Settings s;
+  s.method = Method::Local;
   s.relativeError = 0.02;
   const Result result = solve(scene, floorPoints(), s);
   for (std::size_t i = 0; i < result.illuminance.size(); ++i)
@@ -215,8 +216,10 @@ TEST(Solver, RefusesSettingsWithoutMeaning)
   EXPECT_EQ(message([](Settings& s, Receivers&) { s.relativeError = 1; }), "error: must lie in [0, 1)");
   EXPECT_EQ(message([](Settings& s, Receivers&) { s.seconds = -1; }), "time: must be 0 (no limit) or more seconds");
   EXPECT_EQ(message([](Settings& s, Receivers&) { s.threads = -1; }), "threads: must be 0 (all) or more");
-  EXPECT_EQ(message([](Settings& s, Receivers&) { s.delta = NAN; }), "delta: must be a finite length in metres");
-  EXPECT_EQ(message([](Settings& s, Receivers&) { s.epsilon = NAN; }), "epsilon: must be a finite length in metres");
+  EXPECT_EQ(message([](Settings& s, Receivers&) { s.delta = NAN; }),
+            "delta: is nan m, expected 0 (automatic) up to the size of the scene, 5.000000 m");
+  EXPECT_EQ(message([](Settings& s, Receivers&) { s.epsilon = NAN; }),
+            "epsilon: is nan m, expected 0 (automatic) up to the size of the scene, 5.000000 m");
   EXPECT_EQ(message([](Settings&, Receivers& r) { r.normals.pop_back(); }),
             "receivers: one normal per point is expected");
   EXPECT_EQ(message([](Settings&, Receivers& r) { r.points[2].x = NAN; }), "receiver 2: coordinates must be finite");

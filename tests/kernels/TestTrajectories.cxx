@@ -3,6 +3,7 @@
 
 #include "Rooms.h"
 #include "estimator/PairKernel.h"
+#include "estimator/Trajectories.h"
 
 using namespace kalos;
 
@@ -15,7 +16,7 @@ TEST(Trajectories, LengthIsNotLimited)
     const Scene scene(rooms::litRoom(rho));
     const Emission emission(scene);
     const int count = 20000;
-    const TrajectoryChunk chunk = traceTrajectories(scene, emission, 1, 0, 0, count);
+    const VertexPool chunk = traceTrajectories(scene, emission, 1, 0, 0, count);
     const double mean = double(chunk.reflected.size()) / count;
     const double error = std::sqrt(rho) / (1 - rho) / std::sqrt(double(count));
     EXPECT_LT(std::abs(mean - 1 / (1 - rho)), 4.4 * error) << "rho " << rho;
@@ -53,20 +54,20 @@ TEST(PairKernel, AgreesWithTheFormula)
   const Emission emission(scene);
   const VertexSet v = traceTrajectories(scene, emission, 1, 0, 0, 2000).reflected;
   const Vec3 n = normalized(Vec3{0.2, 0.3, 1});
-  const ReceiverPoint receiver(scene, {2.4, 2.5, 1}, n);
+  const Sensor receiver(scene, Vec3{2.4, 2.5, 1} - scene.origin(), n);
   std::size_t scored = 0, expected = 0;
   for (std::size_t begin = 0; begin < v.size(); begin += PairBlock::capacity)
   {
     const int count = static_cast<int>(std::min<std::size_t>(PairBlock::capacity, v.size() - begin));
     PairBlock block;
-    formPairs(v, begin, count, receiver, block);
+    formPairs(v, begin, count, receiver, 0, block);
     for (int i = 0; i < block.count; ++i, ++scored)
     {
       const int j = block.index[i];
       const Vec3 d = Vec3{v.px[j], v.py[j], v.pz[j]} - receiver.position;
       const double d2 = dot(d, d);
       const double g = dot(d, n) * -dot(d, Vec3{v.nx[j], v.ny[j], v.nz[j]}) / (pi * d2 * d2);
-      EXPECT_NEAR(block.g[i], g, 1e-5 * g + 1e-9);
+      EXPECT_NEAR(block.kernel[i], g, 1e-5 * g + 1e-9);
     }
     for (int j = static_cast<int>(begin); j < static_cast<int>(begin) + count; ++j)
     {

@@ -26,65 +26,58 @@ DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows) : Li
   }
 }
 
-Bands DirectLight::pointIlluminance(const Luminaire& luminaire, const ReceiverPoint& receiver) const
+Vec3 DirectLight::lampPoint(const Luminaire& luminaire) const
 {
-  Vec3 lamp = luminaire.position;
-  if (luminaire.distribution == Distribution::Lambertian)
-    lamp = this->Lit.offset(lamp, luminaire.axis);  // as its trajectories start
-  const Vec3 toLamp = lamp - receiver.position;
-  const double d2 = dot(toLamp, toLamp);
-  const double cosine = dot(toLamp, receiver.normal);  // times d
-  if (!(cosine > 0))
-    return {};
-  const double d = std::sqrt(d2);
-  const double e = intensity(luminaire, (-1 / d) * toLamp) * cosine / (d2 * d);
-  if (e > 0 && this->Shadows && this->Lit.rays().occluded(receiver.rayOrigin, lamp))
-    return {};
-  return uniformBands(e);
+  // As its trajectories start: a lamp mounted flush with a ceiling shines into the room.
+  const bool flush = luminaire.distribution == Distribution::Lambertian;
+  return flush ? this->Lit.offset(luminaire.position, luminaire.axis) : luminaire.position;
 }
 
-void DirectLight::look(const ReceiverPoint& receiver, View& view) const
+double DirectLight::pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const
+{
+  const Vec3 toLamp = this->lampPoint(luminaire) - sensor.position;
+  const double d2 = dot(toLamp, toLamp), cosine = dot(toLamp, sensor.normal);  // times d
+  if (!(cosine > 0))
+    return 0;
+  const double d = std::sqrt(d2);
+  return intensity(luminaire, (-1 / d) * toLamp) * cosine / (d2 * d);
+}
+
+double DirectLight::areaIlluminance(const Area& area, const Sensor& sensor) const
+{
+  if (!(dot(sensor.position - area.corner[0], area.normal) > 0))
+    return 0;
+  return polygonFormFactor(sensor.position, sensor.normal, area.corner, area.count);
+}
+
+void DirectLight::look(const Sensor& sensor, View& view) const
 {
   view.points = view.areas = {};
   view.cumulative.clear();
+  double pointSum = 0;
   for (const Luminaire& luminaire : this->Lit.data().luminaires)
   {
-    if (!luminaire.isPoint())
-      continue;
-    const Bands e = this->pointIlluminance(luminaire, receiver);
-    for (int b = 0; b < this->Lit.bands(); ++b)
-      view.points[b] += e[b];
+    const double e = luminaire.isPoint() ? this->pointIlluminance(luminaire, sensor) : 0;
+    if (e > 0 && !(this->Shadows && this->Lit.rays().occluded(sensor.rayOrigin, this->lampPoint(luminaire))))
+      pointSum += e;
   }
+  view.points = uniformBands(pointSum);
   double sum = 0;
   for (const Area& area : this->Areas)
   {
-    if (dot(receiver.position - area.corner[0], area.normal) > 0)
-    {
-      const double factor = polygonFormFactor(receiver.position, receiver.normal, area.corner, area.count);
-      for (int b = 0; b < this->Lit.bands(); ++b)
-        view.areas[b] += factor * area.exitance[b];
-      sum += factor * photometric(area.exitance, this->Lit.bands());
-    }
+    const double factor = this->areaIlluminance(area, sensor);
+    for (int b = 0; b < this->Lit.bands(); ++b)
+      view.areas[b] += factor * area.exitance[b];
+    sum += factor * photometric(area.exitance, this->Lit.bands());
     view.cumulative.push_back(sum);
   }
 }
 
-void DirectLight::sampleHidden(const ReceiverPoint& receiver, const View& view, RandomStream& random,
-                               Bands& hidden) const
+bool DirectLight::sampleArea(const Area& area, const Sensor& sensor, double u1, double u2, double u3,
+                             AreaSample& sample) const
 {
-  const double u0 = random.next(), u1 = random.next(), u2 = random.next(), u3 = random.next();
-  if (!this->Shadows || view.cumulative.empty() || !(view.cumulative.back() > 0))
-    return;
-
-  // Draw an emitter in proportion to its unshadowed illuminance.
-  const double total = view.cumulative.back();
-  const auto found = std::upper_bound(view.cumulative.begin(), view.cumulative.end(), u0 * total);
-  const std::size_t k = std::min<std::size_t>(found - view.cumulative.begin(), view.cumulative.size() - 1);
-  const double share = (view.cumulative[k] - (k ? view.cumulative[k - 1] : 0)) / total;
-  const Area& area = this->Areas[k];
-
-  // Draw a direction uniform in its solid angle; a rectangle is two triangles.
-  const Vec3& r = receiver.position;
+  // A rectangle is two triangles.
+  const Vec3& r = sensor.position;
   SphericalTriangle part(r, area.corner[0], area.corner[1], area.corner[2]);
   double solidAngle = part.solidAngle();
   if (area.count == 4)
@@ -95,20 +88,107 @@ void DirectLight::sampleHidden(const ReceiverPoint& receiver, const View& view, 
     if (u1 * solidAngle >= first)
       part = other;
   }
-  if (!(part.solidAngle() > 0) || !(share > 0))
-    return;
-  const Vec3 direction = part.sample(u2, u3);
-  const double cosine = dot(direction, receiver.normal);
-  const double facing = -dot(direction, area.normal);
+  if (!(part.solidAngle() > 0))
+    return false;
+  sample.direction = part.sample(u2, u3);
+  const double cosine = dot(sample.direction, sensor.normal), facing = -dot(sample.direction, area.normal);
   if (!(cosine > 0) || !(facing > 0))
-    return;
-
-  // Where the ray is stopped before the emitter, its contribution is missing.
+    return false;
   const double distance = dot(area.corner[0] - r, area.normal) / -facing;
-  const Vec3 target = this->Lit.offset(r + distance * direction, area.normal);
-  if (!this->Lit.rays().occluded(receiver.rayOrigin, target))
+  sample.target = this->Lit.offset(r + distance * sample.direction, area.normal);
+  sample.cosineOverDensity = cosine * solidAngle;
+  return true;
+}
+
+namespace
+{
+// Index drawn in proportion to the steps of a cumulative sum, and its share.
+std::size_t draw(const std::vector<double>& cumulative, double u, double& share)
+{
+  const double total = cumulative.back();
+  const auto found = std::upper_bound(cumulative.begin(), cumulative.end(), u * total);
+  const std::size_t k = std::min<std::size_t>(found - cumulative.begin(), cumulative.size() - 1);
+  share = (cumulative[k] - (k ? cumulative[k - 1] : 0)) / total;
+  return k;
+}
+}  // namespace
+
+void DirectLight::sampleHidden(const Sensor& sensor, const View& view, RandomStream& random, Bands& hidden) const
+{
+  const double u0 = random.next(), u1 = random.next(), u2 = random.next(), u3 = random.next();
+  if (!this->Shadows || view.cumulative.empty() || !(view.cumulative.back() > 0))
+    return;
+  double share;
+  const Area& area = this->Areas[draw(view.cumulative, u0, share)];
+  AreaSample sample;
+  if (!(share > 0) || !this->sampleArea(area, sensor, u1, u2, u3, sample))
+    return;
+  // Where the ray is stopped before the emitter, its contribution is missing.
+  if (!this->Lit.rays().occluded(sensor.rayOrigin, sample.target))
     return;
   for (int b = 0; b < this->Lit.bands(); ++b)
-    hidden[b] += area.exitance[b] / pi * cosine * solidAngle / share;
+    hidden[b] += area.exitance[b] / pi * sample.cosineOverDensity / share;
+}
+
+Bands DirectLight::sample(const Sensor& sensor, RandomStream& random, View& scratch) const
+{
+  const double u0 = random.next(), u1 = random.next(), u2 = random.next(), u3 = random.next();
+  const auto& luminaires = this->Lit.data().luminaires;
+  std::vector<double>& cumulative = scratch.cumulative;
+  cumulative.clear();
+  double sum = 0;
+  for (const Luminaire& luminaire : luminaires)
+    cumulative.push_back(sum += luminaire.isPoint() ? this->pointIlluminance(luminaire, sensor) : 0);
+  for (const Area& area : this->Areas)
+    cumulative.push_back(sum += this->areaIlluminance(area, sensor) * photometric(area.exitance, this->Lit.bands()));
+  Bands result{};
+  if (!(sum > 0))
+    return result;
+
+  double share;
+  const std::size_t k = draw(cumulative, u0, share);
+  AreaSample sample;
+  Bands arriving{};  // lx per band
+  if (k < luminaires.size())
+  {
+    sample.target = this->lampPoint(luminaires[k]);
+    sample.direction = normalized(sample.target - sensor.position);
+    arriving = uniformBands(sum);  // its own illuminance over its share
+  }
+  else
+  {
+    const Area& area = this->Areas[k - luminaires.size()];
+    if (!this->sampleArea(area, sensor, u1, u2, u3, sample))
+      return result;
+    for (int b = 0; b < this->Lit.bands(); ++b)
+      arriving[b] = area.exitance[b] / pi * sample.cosineOverDensity / share;
+  }
+  if (this->Shadows && this->Lit.rays().occluded(sensor.rayOrigin, sample.target))
+    return result;
+  const Bands weight = response(sensor, sample.direction, this->Lit.bands());
+  for (int b = 0; b < this->Lit.bands(); ++b)
+    result[b] = weight[b] * arriving[b];
+  return result;
+}
+void DirectLight::addSeen(const Vec3& origin, const Vec3& direction, const SurfacePoint& y, const Bands& throughput,
+                          Bands& sum) const
+{
+  const double end = y.valid ? length(y.position - origin) : std::numeric_limits<double>::infinity();
+  for (const Area& area : this->Areas)
+  {
+    const double facing = -dot(direction, area.normal);
+    if (area.count != 4 || !(facing > 0))
+      continue;
+    const double distance = dot(origin - area.corner[0], area.normal) / facing;
+    if (!(distance > 0 && distance < end))
+      continue;
+    const Vec3 p = origin + distance * direction - area.corner[0];
+    const Vec3 u = area.corner[1] - area.corner[0], v = area.corner[3] - area.corner[0];
+    const Vec3 n = cross(u, v);
+    const double s = dot(cross(p, v), n) / dot(n, n), t = dot(cross(u, p), n) / dot(n, n);
+    if (s >= 0 && s <= 1 && t >= 0 && t <= 1)
+      for (int b = 0; b < this->Lit.bands(); ++b)
+        sum[b] += throughput[b] * area.exitance[b];
+  }
 }
 }  // namespace kalos

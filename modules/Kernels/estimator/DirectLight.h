@@ -5,7 +5,8 @@
 
 #include <vector>
 
-#include "estimator/PairKernel.h"
+#include "estimator/Sensor.h"
+#include "sampling/Random.h"
 
 namespace kalos
 {
@@ -29,10 +30,20 @@ public:
     Bands areas{};                   ///< lx, unshadowed
     std::vector<double> cumulative;  ///< luminous unshadowed lx up to and including area emitter i
   };
-  void look(const ReceiverPoint& receiver, View& view) const;
+  void look(const Sensor& sensor, View& view) const;
 
   /// One sample of the hidden part of View::areas, lx per band, added to `hidden`.
-  void sampleHidden(const ReceiverPoint& receiver, const View& view, RandomStream& random, Bands& hidden) const;
+  void sampleHidden(const Sensor& sensor, const View& view, RandomStream& random, Bands& hidden) const;
+
+  /// One sample of all direct light at the sensor, weighted by its response, with a single shadow ray: an emitter is
+  /// drawn in proportion to what it would send to a Lambertian sensor, were nothing in between. Unbiased; for the
+  /// vertices that gather rays find and for glossy sensors. `scratch` is overwritten.
+  Bands sample(const Sensor& sensor, RandomStream& random, View& scratch) const;
+
+  /// Adds throughput times the exitance of every luminous rectangle that a ray from a mirror passes through before it
+  /// ends at y.
+  void addSeen(const Vec3& origin, const Vec3& direction, const SurfacePoint& y, const Bands& throughput,
+               Bands& sum) const;
 
   bool hasAreas() const { return !this->Areas.empty(); }
 
@@ -45,7 +56,17 @@ private:
     Bands exitance;  // lm/m2
   };
 
-  Bands pointIlluminance(const Luminaire& luminaire, const ReceiverPoint& receiver) const;
+  Vec3 lampPoint(const Luminaire& luminaire) const;
+  double pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const;  // unshadowed, lx
+  double areaIlluminance(const Area& area, const Sensor& sensor) const;             // unshadowed form factor
+
+  /// A point of an area emitter, seen from the sensor in a direction uniform in solid angle; false when none is.
+  struct AreaSample
+  {
+    Vec3 direction, target;
+    double cosineOverDensity;  // cos(theta) at the sensor times the solid angle, sr
+  };
+  bool sampleArea(const Area& area, const Sensor& sensor, double u1, double u2, double u3, AreaSample& sample) const;
 
   const Scene& Lit;
   bool Shadows;

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "estimator/CompensatedEstimation.h"
 #include "estimator/DirectSimulation.h"
 #include "estimator/LocalEstimation.h"
 
@@ -13,11 +14,17 @@ std::unique_ptr<Estimator> makeEstimator(const Scene& scene, const Receivers& re
   switch (settings.method)
   {
     case Method::Local:
+    case Method::SpherePublished:
+    case Method::SphereExact:
+    case Method::Disc:
+    case Method::Clamped:
       return std::make_unique<LocalEstimation>(scene, receivers, settings);
+    case Method::Compensated:
+      return std::make_unique<CompensatedEstimation>(scene, receivers, settings);
     case Method::Direct:
       return std::make_unique<DirectSimulation>(scene, receivers, settings);
     default:
-      throw std::invalid_argument("method: only local and direct are available");
+      throw std::invalid_argument("method: gathered is not available yet; use compensated");
   }
 }
 }  // namespace kalos

@@ -24,6 +24,10 @@ public:
   /// one. Returns false when aborted, which leaves the tally without meaning.
   virtual bool addRound(long long first, int count, Workers& workers, Tally& tally) = 0;
 
+  /// Whether `trajectories` (over all replicates) suffice to see what surrounds a receiver; rule (2) of
+  /// estimator/Trust.h.
+  virtual bool trusts(std::size_t /*receiver*/, long long /*trajectories*/) const { return true; }
+
   /// What the method found it need not model, and why.
   virtual std::vector<AuditLine> audit() const = 0;
 };

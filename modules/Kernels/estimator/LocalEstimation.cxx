@@ -1,165 +1,134 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/LocalEstimation.h"
 
+#include "estimator/Gathering.h"
+#include "estimator/Trust.h"
+#include "estimator/VertexRound.h"
+
 namespace kalos
 {
-namespace
-{
-constexpr int chunkSize = 512;                  // trajectories traced by one task
-constexpr std::size_t tileSize = 16;            // receivers scored by one task
-constexpr int trajectoriesPerShadow = 4;        // trajectories per shadow sample of an area emitter
-constexpr std::size_t largestViews = 1u << 24;  // unshadowed illuminances kept, receivers times emitters: 128 MB
-constexpr std::uint32_t largestExact = 4096;    // emitting triangles served by closed forms
-
-std::vector<Vec3> inScene(const Scene& scene, const std::vector<Vec3>& points)
-{
-  std::vector<Vec3> moved;
-  moved.reserve(points.size());
-  for (const Vec3& p : points)
-    moved.push_back(p - scene.origin());
-  return moved;
-}
-}  // namespace
-
 LocalEstimation::LocalEstimation(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Lit(scene),
       Wanted(settings),
-      Found(auditScene(scene, inScene(scene, receivers.points))),
-      ExactMeshes(this->Found.emittingTriangles <= largestExact &&
-                  this->Found.emittingTriangles * receivers.points.size() <= largestViews),
       Source(scene),
-      Direct(scene, this->ExactMeshes, !this->Found.unoccluded)
+      Direct(scene, receivers, settings.seed),
+      Alteration(makeAlteration(scene, receivers, settings)),
+      CollisionsPerArea(measureDensity(scene, this->Source, settings.seed).reflected)
 {
-  this->Points.reserve(receivers.points.size());
-  for (std::size_t i = 0; i < receivers.points.size(); ++i)
-    this->Points.emplace_back(scene, receivers.points[i], receivers.normals[i]);
 }
 
 bool LocalEstimation::prepare(Workers& workers, Tally& tally)
 {
-  this->Views.resize(this->Points.size());
-  const std::size_t tiles = (this->Points.size() + tileSize - 1) / tileSize;
-  return workers.forEach(tiles,
-                         [&](std::size_t tile)
-                         {
-                           const std::size_t end = std::min(this->Points.size(), (tile + 1) * tileSize);
-                           for (std::size_t r = tile * tileSize; r < end; ++r)
-                           {
-                             DirectLight::View& view = this->Views[r];
-                             this->Direct.look(this->Points[r], view);
-                             for (int b = 0; b < tally.bands(); ++b)
-                               tally.fixed(r)[b] = view.points[b] + view.areas[b];
-                           }
-                         });
+  const auto& sensors = this->Direct.sensors();
+  if (!this->Alteration)
+  {
+    this->NearKernel.resize(sensors.size());
+    const bool probed = workers.forEach(tileCount(sensors.size()),
+                                        [&](std::size_t tile)
+                                        {
+                                          for (std::size_t r = tile * tileSize;
+                                               r < std::min(sensors.size(), (tile + 1) * tileSize); ++r)
+                                            this->NearKernel[r] = nearKernel(this->Lit, sensors[r]);
+                                        });
+    if (!probed)
+      return false;
+  }
+  return this->Direct.prepare(workers, tally);
 }
 
 bool LocalEstimation::addRound(long long first, int count, Workers& workers, Tally& tally)
 {
   if (!(this->Source.totalFlux() > 0))
     return true;  // a dark scene
-
-  // Trace the trajectories of all replicates.
   const int replicates = tally.replicates();
-  const int chunksEach = (count + chunkSize - 1) / chunkSize;
-  std::vector<TrajectoryChunk> chunks(static_cast<std::size_t>(replicates) * chunksEach);
-  const bool traced = workers.forEach(
-      chunks.size(),
-      [&](std::size_t i)
-      {
-        const int replicate = static_cast<int>(i / chunksEach), begin = static_cast<int>(i % chunksEach) * chunkSize;
-        chunks[i] = traceTrajectories(this->Lit, this->Source, this->Wanted.seed, replicate, first + begin,
-                                      std::min(chunkSize, count - begin));
-      });
+  const std::vector<VertexPool> pools =
+      traceRound(this->Lit, this->Source, this->Wanted.seed, replicates, first, count, workers);
+  if (pools.empty())
+    return false;
 
-  // Score them at every receiver; a task owns its tile and replicate, so that no sum depends on the threads.
-  const std::size_t tiles = (this->Points.size() + tileSize - 1) / tileSize;
-  return traced && workers.forEach(tiles * replicates,
-                                   [&](std::size_t task)
-                                   {
-                                     const int replicate = static_cast<int>(task % replicates);
-                                     const std::size_t tile = task / replicates,
-                                                       end = std::min(this->Points.size(), (tile + 1) * tileSize);
-                                     for (std::size_t r = tile * tileSize; r < end; ++r)
-                                     {
-                                       double* total = tally.total(r, replicate);
-                                       for (int c = 0; c < chunksEach; ++c)
-                                       {
-                                         const TrajectoryChunk& chunk =
-                                             chunks[static_cast<std::size_t>(replicate) * chunksEach + c];
-                                         this->scoreVertices(this->Points[r], chunk.reflected, total);
-                                         if (this->ExactMeshes)
-                                           continue;
-                                         Bands emitted{};
-                                         this->scoreVertices(this->Points[r], chunk.emitted, emitted.data());
-                                         for (int b = 0; b < tally.bands(); ++b)
-                                         {
-                                           total[b] += emitted[b];
-                                           tally.direct(r, replicate)[b] += emitted[b];
-                                         }
-                                       }
-                                       this->scoreHidden(r, replicate, first, count, tally);
-                                     }
-                                   });
+  // A task owns its tile and replicate, so that no sum depends on the threads.
+  return workers.forEach(tileCount(tally.receivers()) * replicates,
+                         [&](std::size_t task)
+                         {
+                           const int replicate = static_cast<int>(task % replicates);
+                           const std::size_t tile = task / replicates,
+                                             end = std::min(tally.receivers(), (tile + 1) * tileSize);
+                           for (std::size_t r = tile * tileSize; r < end; ++r)
+                           {
+                             double* total = tally.total(r, replicate);
+                             this->scoreVertices(r, replicate, pools[replicate].reflected, tally, total);
+                             this->scoreVertices(r, replicate, pools[replicate].glossy, tally, total);
+                             if (!this->Direct.exactMeshes(r))
+                             {
+                               Bands emitted{};
+                               this->scoreVertices(r, replicate, pools[replicate].emitted, tally, emitted.data());
+                               for (int b = 0; b < tally.bands(); ++b)
+                               {
+                                 total[b] += emitted[b];
+                                 tally.direct(r, replicate)[b] += emitted[b];
+                               }
+                             }
+                             this->Direct.score(r, replicate, first, count, tally);
+                           }
+                         });
 }
 
-void LocalEstimation::scoreVertices(const ReceiverPoint& receiver, const VertexSet& vertices, double* sum) const
+void LocalEstimation::scoreVertices(std::size_t r, int replicate, const VertexSet& vertices, Tally& tally,
+                                    double* sum) const
 {
+  const Sensor& sensor = this->Direct.sensors()[r];
   PairBlock block;
   for (std::size_t begin = 0; begin < vertices.size(); begin += PairBlock::capacity)
   {
     const auto count = static_cast<int>(std::min<std::size_t>(PairBlock::capacity, vertices.size() - begin));
-    formPairs(vertices, begin, count, receiver, block);
-    if (!this->Found.unoccluded)
-      keepVisible(this->Lit.rays(), vertices, receiver, block);
-    for (int b = 0; b < this->Lit.bands(); ++b)
+    if (this->Alteration)
+      formNearPairs(vertices, begin, count, sensor, this->Alteration->reach(r), block);
+    else
+      formPairs(vertices, begin, count, sensor, 0, block);
+    if (this->Direct.shadows())
+      keepVisible(this->Lit.rays(), vertices, sensor, block);
+    if (this->Alteration)
     {
-      const float* flux = vertices.flux[b].data();
-      double score = 0;
+      this->alter(r, replicate, vertices, block);
       for (int i = 0; i < block.count; ++i)
-        score += static_cast<double>(flux[block.index[i]]) * static_cast<double>(block.g[i]);
-      sum[b] += score;
+        if (block.kernel[i] != block.plain[i])
+          tally.correction(r, replicate) +=
+              static_cast<double>(vertices.luminous[block.index[i]]) *
+              (static_cast<double>(block.kernel[i]) - static_cast<double>(block.plain[i]));
     }
+    tally.noteScore(r, replicate, addScores(vertices, block, sum));
   }
 }
 
-void LocalEstimation::scoreHidden(std::size_t r, int replicate, long long first, int count, Tally& tally) const
+void LocalEstimation::alter(std::size_t r, int replicate, const VertexSet& vertices, PairBlock& block) const
 {
-  if (!this->Direct.hasAreas() || this->Found.unoccluded)
-    return;
-  const int samples = (count + trajectoriesPerShadow - 1) / trajectoriesPerShadow;
-  RandomStream random(this->Wanted.seed + r * 0x2545f4914f6cdd1dull, replicate, Purpose::DirectLight, first);
-  Bands hidden{};
-  for (int s = 0; s < samples; ++s)
-    this->Direct.sampleHidden(this->Points[r], this->Views[r], random, hidden);
-  for (int b = 0; b < tally.bands(); ++b)
+  const Sensor& sensor = this->Direct.sensors()[r];
+  const double reach = this->Alteration->reach(r);
+  for (int i = 0; i < block.count; ++i)
   {
-    const double missing = hidden[b] * count / samples;  // as much weight as the round's trajectories
-    tally.total(r, replicate)[b] -= missing;
-    tally.direct(r, replicate)[b] -= missing;
+    const int j = block.index[i];
+    const Vec3 y = vertices.position(j), d = y - sensor.position;
+    if (dot(d, d) >= reach * reach)
+      continue;
+    // The vertex's own number would repeat in the next round: its coordinates key the stream.
+    RandomStream random = receiverStream(this->Wanted.seed, replicate, Purpose::Averaging, r, vertices.key(j));
+    block.kernel[i] = static_cast<float>(
+        this->Alteration->kernel(r, sensor, y, vertices.normal(j), static_cast<double>(block.plain[i]), random));
   }
+}
+
+bool LocalEstimation::trusts(std::size_t receiver, long long trajectories) const
+{
+  return this->Alteration ||
+         nearFieldIsSeen(this->NearKernel[receiver], this->CollisionsPerArea * static_cast<double>(trajectories));
 }
 
 std::vector<AuditLine> LocalEstimation::audit() const
 {
-  std::vector<AuditLine> lines;
-  if (this->Found.unoccluded)
-    lines.push_back({"shadow rays", "none", "the room is convex and empty: nothing can stand between two points"});
-  else
-    lines.push_back({"shadow rays", "one per score", "surfaces may stand between two points"});
-  const auto& luminaires = this->Lit.data().luminaires;
-  const auto points =
-      std::count_if(luminaires.begin(), luminaires.end(), [](const Luminaire& l) { return l.isPoint(); });
-  if (points)
-    lines.push_back({"point luminaires", std::to_string(points) + ", exact", "their direct light has a closed form"});
-  if (static_cast<std::size_t>(points) < luminaires.size())
-    lines.push_back({"luminous rectangles", std::to_string(luminaires.size() - points) + ", polygon formula",
-                     "only the hidden part is sampled"});
-  if (this->Found.emittingTriangles)
-    lines.push_back(
-        {"emitting triangles",
-         std::to_string(this->Found.emittingTriangles) +
-             (this->ExactMeshes ? ", polygon formula" : ", by trajectory starts"),
-         this->ExactMeshes ? "only the hidden part is sampled" : "too many for a closed form at every receiver"});
+  std::vector<AuditLine> lines = this->Direct.audit();
+  lines.push_back({"kernel", this->Alteration ? this->Alteration->describe() : "plain",
+                   this->Alteration ? "biased near edges; KernelCorrection says by how much it was altered"
+                                    : "unbiased, but without bound at concave edges and contacts"});
   return lines;
 }
 }  // namespace kalos

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Method `local`, (E1): E(r) = E_direct(r) + sum of M_i G(r, y_i) V over the vertices of the trajectories, where M_i is
-// the flux that vertex i reflects. Unbiased; its variance grows without bound towards concave edges and contacts, and
-// this is kept as it is: it is what one studies.
+// the flux that vertex i reflects (for a glossy vertex, pi f times its incident flux). Unbiased; its variance grows
+// without bound towards concave edges and contacts, and this is kept as it is: it is what one studies.
+//
+// The methods that alter the kernel near the receiver (estimator/KernelAlteration.h) run on the same trajectories and
+// report how much the alteration added.
 #ifndef kalos_estimator_LocalEstimation_h
 #define kalos_estimator_LocalEstimation_h
 
-#include "estimator/DirectLight.h"
+#include "estimator/DirectPart.h"
 #include "estimator/Estimator.h"
-#include "scene/Audit.h"
+#include "estimator/KernelAlteration.h"
+#include "estimator/PairKernel.h"
+#include "estimator/Trajectories.h"
 
 namespace kalos
 {
@@ -18,20 +23,20 @@ public:
 
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
+  bool trusts(std::size_t receiver, long long trajectories) const override;
   std::vector<AuditLine> audit() const override;
 
 private:
-  void scoreVertices(const ReceiverPoint& receiver, const VertexSet& vertices, double* sum) const;
-  void scoreHidden(std::size_t receiver, int replicate, long long first, int count, Tally& tally) const;
+  void scoreVertices(std::size_t receiver, int replicate, const VertexSet& vertices, Tally& tally, double* sum) const;
+  void alter(std::size_t receiver, int replicate, const VertexSet& vertices, PairBlock& block) const;
 
   const Scene& Lit;
   Settings Wanted;
-  Audit Found;
-  bool ExactMeshes;  // emitting meshes by closed form, not by the trajectories' starts
   Emission Source;
-  DirectLight Direct;
-  std::vector<ReceiverPoint> Points;
-  std::vector<DirectLight::View> Views;
+  DirectPart Direct;
+  std::unique_ptr<KernelAlteration> Alteration;  // null: the plain kernel
+  std::vector<double> NearKernel;                // 1/m2, per receiver; with the plain kernel
+  double CollisionsPerArea = 0;                  // per trajectory and m2
 };
 }  // namespace kalos
 

@@ -11,71 +11,233 @@ namespace
 #define KALOS_MULTIVERSION
 #endif
 
-// G of every vertex, 0 where one of them looks away.
+struct FloatVector
+{
+  float x, y, z;
+  explicit FloatVector(const Vec3& v)
+      : x(static_cast<float>(v.x)), y(static_cast<float>(v.y)), z(static_cast<float>(v.z))
+  {
+  }
+};
+
+// kernel = G / (1 + G inverseLimit) of every vertex, 0 where one of the two looks away.
 KALOS_MULTIVERSION
 void evaluate(const float* px, const float* py, const float* pz, const float* nx, const float* ny, const float* nz,
-              int count, const float* r, const float* n, float* g)
+              int count, FloatVector r, FloatVector n, float inverseLimit, float* kernel)
 {
-  const float rx = r[0], ry = r[1], rz = r[2], mx = n[0], my = n[1], mz = n[2];
   for (int i = 0; i < count; ++i)
   {
-    const float dx = px[i] - rx, dy = py[i] - ry, dz = pz[i] - rz;
+    const float dx = px[i] - r.x, dy = py[i] - r.y, dz = pz[i] - r.z;
     const float d2 = dx * dx + dy * dy + dz * dz;
-    const float atReceiver = dx * mx + dy * my + dz * mz;            // d cos(theta)
+    const float atSensor = dx * n.x + dy * n.y + dz * n.z;           // d cos(theta)
     const float atVertex = -(dx * nx[i] + dy * ny[i] + dz * nz[i]);  // d cos(theta')
-    const float product = (atReceiver > 0 ? atReceiver : 0) * (atVertex > 0 ? atVertex : 0);
-    g[i] = product / (3.14159265f * d2 * d2 + 1e-30f);
+    const float product = (atSensor > 0 ? atSensor : 0) * (atVertex > 0 ? atVertex : 0);
+    // G = product / (pi d^4), so that G / (1 + G/G*) = product / (pi d^4 + product/G*).
+    kernel[i] = product / (3.14159265f * d2 * d2 + product * inverseLimit + 1e-30f);
+  }
+}
+
+void evaluate(const VertexSet& v, std::size_t begin, int count, const Sensor& s, double inverseLimit, float* kernel)
+{
+  evaluate(&v.px[begin], &v.py[begin], &v.pz[begin], &v.nx[begin], &v.ny[begin], &v.nz[begin], count,
+           FloatVector(s.position), FloatVector(s.normal), static_cast<float>(inverseLimit), kernel);
+}
+
+// The general case, one pair at a time: a glossy vertex, a glossy sensor or both.
+void formGlossyPairs(const VertexSet& v, std::size_t begin, int count, const Sensor& sensor, double inverseLimit,
+                     PairBlock& block)
+{
+  const int bands = static_cast<int>(v.flux.size());
+  block.count = 0;
+  block.factor.clear();
+  for (std::size_t j = begin; j < begin + count; ++j)
+  {
+    const Vec3 d = v.position(j) - sensor.position;
+    const double d2 = dot(d, d);
+    const Vec3 incident = (1 / std::sqrt(d2)) * d;
+    const double atSensor = dot(incident, sensor.normal), atVertex = -dot(incident, v.normal(j));
+    if (!(atSensor > 0 && atVertex > 0))
+      continue;
+    Bands factor = response(sensor, incident, bands);
+    double lobe = 1;
+    if (v.isGlossy())
+    {
+      const Bands f = v.brdf[j]->timesPi(v.normal(j), v.incident[j], -incident);
+      lobe = lobeRatio(*v.brdf[j], v.normal(j), v.incident[j], f, bands);
+      for (int b = 0; b < bands; ++b)
+        factor[b] *= f[b];
+    }
+    const double gathered = gatherDensity(sensor, incident) * atVertex / d2;  // G, for a Lambertian sensor
+    block.index[block.count] = static_cast<int>(j);
+    block.kernel[block.count++] =
+        static_cast<float>(atSensor * atVertex / (pi * d2) / (1 + lobe * gathered * inverseLimit));
+    block.factor.push_back(factor);
   }
 }
 }  // namespace
 
-void formPairs(const VertexSet& v, std::size_t begin, int count, const ReceiverPoint& receiver, PairBlock& block)
+void formPairs(const VertexSet& v, std::size_t begin, int count, const Sensor& sensor, double inverseLimit,
+               PairBlock& block)
 {
-  const float r[3] = {static_cast<float>(receiver.position.x), static_cast<float>(receiver.position.y),
-                      static_cast<float>(receiver.position.z)};
-  const float n[3] = {static_cast<float>(receiver.normal.x), static_cast<float>(receiver.normal.y),
-                      static_cast<float>(receiver.normal.z)};
-  alignas(64) float g[PairBlock::capacity];
-  evaluate(&v.px[begin], &v.py[begin], &v.pz[begin], &v.nx[begin], &v.ny[begin], &v.nz[begin], count, r, n, g);
+  if (v.isGlossy() || sensor.brdf)
+    return formGlossyPairs(v, begin, count, sensor, inverseLimit, block);
+  block.factor.clear();
+  alignas(64) float kernel[PairBlock::capacity];
+  evaluate(v, begin, count, sensor, inverseLimit, kernel);
 
   // Compact without branches: most pairs of a convex room score, few of a furnished one do.
   int kept = 0;
   for (int i = 0; i < count; ++i)
   {
     block.index[kept] = static_cast<int>(begin) + i;
-    block.g[kept] = g[i];
-    kept += g[i] > 0;
+    block.kernel[kept] = kernel[i];
+    kept += kernel[i] > 0;
   }
   block.count = kept;
 }
 
-void keepVisible(const RayScene& rays, const VertexSet& v, const ReceiverPoint& receiver, PairBlock& block)
+void formNearPairs(const VertexSet& v, std::size_t begin, int count, const Sensor& sensor, double reach,
+                   PairBlock& block)
 {
-  const float ox = static_cast<float>(receiver.rayOrigin.x), oy = static_cast<float>(receiver.rayOrigin.y),
-              oz = static_cast<float>(receiver.rayOrigin.z);
+  formPairs(v, begin, count, sensor, 0, block);
+  std::copy_n(block.kernel, block.count, block.plain);
+
+  // Add the near ones that score nothing by the plain kernel; an altered one may see them.
+  std::vector<char> scores(count, 0);
+  for (int i = 0; i < block.count; ++i)
+    scores[block.index[i] - begin] = 1;
+  for (int i = 0; i < count; ++i)
+  {
+    const Vec3 d = v.position(begin + i) - sensor.position;
+    if (scores[i] || dot(d, d) >= reach * reach)
+      continue;
+    block.index[block.count] = static_cast<int>(begin) + i;
+    block.kernel[block.count] = block.plain[block.count] = 0;
+    ++block.count;
+    if (v.isGlossy() || sensor.brdf)
+      block.factor.push_back({});  // nothing is reflected below the horizon
+  }
+}
+
+namespace
+{
+// Segments from the sensor to up to sixteen vertices; idle lanes repeat the last one.
+template <class IndexOf>
+void fillPacket(const VertexSet& v, const Sensor& sensor, int count, IndexOf indexOf, SegmentPacket& packet)
+{
+  const FloatVector o(sensor.rayOrigin);
+  for (int i = 0; i < SegmentPacket::width; ++i)
+  {
+    const int j = indexOf(std::min(i, count - 1));
+    packet.ox[i] = o.x;
+    packet.oy[i] = o.y;
+    packet.oz[i] = o.z;
+    packet.dx[i] = v.px[j] + v.offset[j] * v.nx[j] - o.x;
+    packet.dy[i] = v.py[j] + v.offset[j] * v.ny[j] - o.y;
+    packet.dz[i] = v.pz[j] + v.offset[j] * v.nz[j] - o.z;
+  }
+}
+}  // namespace
+
+void keepVisible(const RayScene& rays, const VertexSet& v, const Sensor& sensor, PairBlock& block)
+{
   SegmentPacket packet;
   int kept = 0;
   for (int first = 0; first < block.count; first += SegmentPacket::width)
   {
     const int count = std::min(SegmentPacket::width, block.count - first);
-    for (int i = 0; i < SegmentPacket::width; ++i)
-    {
-      const int j = block.index[first + std::min(i, count - 1)];  // idle lanes repeat the last segment
-      packet.ox[i] = ox;
-      packet.oy[i] = oy;
-      packet.oz[i] = oz;
-      packet.dx[i] = v.px[j] + v.offset[j] * v.nx[j] - ox;
-      packet.dy[i] = v.py[j] + v.offset[j] * v.ny[j] - oy;
-      packet.dz[i] = v.pz[j] + v.offset[j] * v.nz[j] - oz;
-    }
+    fillPacket(
+        v, sensor, count, [&](int i) { return block.index[first + i]; }, packet);
     const std::uint32_t hidden = rays.occluded(packet, count);
     for (int i = 0; i < count; ++i)
     {
       block.index[kept] = block.index[first + i];
-      block.g[kept] = block.g[first + i];
+      block.kernel[kept] = block.kernel[first + i];
+      block.plain[kept] = block.plain[first + i];
+      if (!block.factor.empty())
+        block.factor[kept] = block.factor[first + i];
       kept += !(hidden >> i & 1);
     }
   }
   block.count = kept;
+}
+
+double luminousScore(const VertexSet& v, const PairBlock& block, int i)
+{
+  const int j = block.index[i];
+  const double kernel = block.kernel[i];
+  if (block.factor.empty())
+    return kernel * static_cast<double>(v.luminous[j]);
+  Bands score{};
+  for (std::size_t b = 0; b < v.flux.size(); ++b)
+    score[b] = block.factor[i][b] * static_cast<double>(v.flux[b][j]);
+  return kernel * photometric(score, static_cast<int>(v.flux.size()));
+}
+
+double addScores(const VertexSet& v, const PairBlock& block, double* sum)
+{
+  double largest = 0;
+  for (int i = 0; i < block.count; ++i)
+    largest = std::max(largest, luminousScore(v, block, i));
+  for (std::size_t b = 0; b < v.flux.size(); ++b)
+  {
+    const float* flux = v.flux[b].data();
+    double score = 0;
+    for (int i = 0; i < block.count; ++i)
+      score += static_cast<double>(flux[block.index[i]]) * static_cast<double>(block.kernel[i]) *
+               (block.factor.empty() ? 1.0 : block.factor[i][b]);
+    sum[b] += score;
+  }
+  return largest;
+}
+
+double addPickedScores(const RayScene& rays, const VertexSet& v, const Sensor& sensor, PairBlock& block, int picks,
+                       double u, double* sum)
+{
+  if (block.count <= picks)
+  {
+    keepVisible(rays, v, sensor, block);
+    return addScores(v, block, sum);
+  }
+  double scores[PairBlock::capacity], total = 0;
+  for (int i = 0; i < block.count; ++i)
+    total += scores[i] = luminousScore(v, block, i);
+  if (!(total > 0))
+    return 0;
+
+  // Systematic picks: pair i is picked as often as multiples of the step fall into its score.
+  const double step = total / picks;
+  int picked[SegmentPacket::width], count = 0;
+  double reached = 0;
+  for (int i = 0; i < block.count && count < picks; ++i)
+  {
+    reached += scores[i];
+    while (count < picks && (count + u) * step < reached)
+      picked[count++] = i;
+  }
+  std::uint32_t hidden;
+  if (count == 1)
+  {
+    const auto j = static_cast<std::size_t>(block.index[picked[0]]);
+    const double offset = v.offset[j];
+    hidden = rays.occluded(sensor.rayOrigin, v.position(j) + offset * v.normal(j));
+  }
+  else
+  {
+    SegmentPacket packet;
+    fillPacket(
+        v, sensor, count, [&](int i) { return block.index[picked[i]]; }, packet);
+    hidden = rays.occluded(packet, count);
+  }
+  for (int k = 0; k < count; ++k)
+  {
+    if (hidden >> k & 1)
+      continue;
+    const int i = picked[k], j = block.index[i];
+    const double weight = step / scores[i] * static_cast<double>(block.kernel[i]);
+    for (std::size_t b = 0; b < v.flux.size(); ++b)
+      sum[b] += weight * static_cast<double>(v.flux[b][j]) * (block.factor.empty() ? 1.0 : block.factor[i][b]);
+  }
+  return *std::max_element(scores, scores + block.count);
 }
 }  // namespace kalos

@@ -1,40 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The geometric kernel G = cos(theta) cos(theta') / (pi d^2), 1/m2 (E3), of receivers against vertices.
+// The geometric kernel G = cos(theta) cos(theta') / (pi d^2), 1/m2 (E3), of sensors against vertices, and its scores.
 #ifndef kalos_estimator_PairKernel_h
 #define kalos_estimator_PairKernel_h
 
-#include "estimator/Trajectories.h"
+#include "estimator/Sensor.h"
+#include "estimator/VertexSet.h"
 
 namespace kalos
 {
-/// A receiver as the pair kernels see it: single precision, about the scene's origin.
-struct ReceiverPoint
-{
-  Vec3 position, normal;  ///< about the scene's origin
-  Vec3 rayOrigin;         ///< moved off the surface it may lie on
-
-  ReceiverPoint(const Scene& scene, const Vec3& world, const Vec3& unitNormal)
-      : position(world - scene.origin()), normal(unitNormal), rayOrigin(scene.offset(position, unitNormal))
-  {
-  }
-};
-
-/// A run of vertices paired with one receiver; only those that score are kept.
+/// A run of vertices paired with one sensor; only those that score are kept.
 struct PairBlock
 {
   static constexpr int capacity = 256;
   int count = 0;
-  int index[capacity];  ///< of the vertex in its set
-  float g[capacity];    ///< G of that pair
+  int index[capacity];         ///< of the vertex in its set
+  float kernel[capacity];      ///< 1/m2, what the method scores: a(G) G, or an altered kernel
+  float plain[capacity] = {};  ///< 1/m2, G; only filled for methods that alter the kernel
+  std::vector<Bands> factor;   ///< BRDF factors per band; empty where vertex and sensor are Lambertian
 };
 
-/// Fills `block` with the pairs of G > 0 among vertices [begin, begin + count), count <= PairBlock::capacity.
-/// About two instructions per pair and lane; compiled for AVX-512, AVX2 and SSE2, chosen at run time.
-void formPairs(const VertexSet& vertices, std::size_t begin, int count, const ReceiverPoint& receiver,
+/// Fills `block` with the pairs that score among vertices [begin, begin + count), count <= PairBlock::capacity:
+/// kernel = G / (1 + f^ G/G*), with inverseLimit = 1/G* (0: the plain kernel) and f^ the lobe ratio of a glossy vertex.
+/// The Lambertian case is vector code for AVX-512, AVX2 and SSE2, chosen at run time.
+void formPairs(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double inverseLimit,
                PairBlock& block);
 
+/// The same with the plain kernel, but keeps every vertex nearer than `reach` (m), also where G = 0, and fills
+/// PairBlock::plain.
+void formNearPairs(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double reach,
+                   PairBlock& block);
+
 /// Removes the pairs that do not see each other: one shadow ray each, in packets of sixteen.
-void keepVisible(const RayScene& rays, const VertexSet& vertices, const ReceiverPoint& receiver, PairBlock& block);
+void keepVisible(const RayScene& rays, const VertexSet& vertices, const Sensor& sensor, PairBlock& block);
+
+/// Adds flux times kernel of every pair to sum[0..bands). Returns the largest luminous score.
+double addScores(const VertexSet& vertices, const PairBlock& block, double* sum);
+
+/// Luminous score of pair i, lx times the number of trajectories.
+double luminousScore(const VertexSet& vertices, const PairBlock& block, int i);
+
+/// An unbiased estimate of addScores() over the visible pairs with at most `picks` (1..16) shadow rays: pairs are
+/// picked in proportion to their luminous scores, systematically from one random number u in [0,1). Returns the largest
+/// score.
+double addPickedScores(const RayScene& rays, const VertexSet& vertices, const Sensor& sensor, PairBlock& block,
+                       int picks, double u, double* sum);
 }  // namespace kalos
 
 #endif

@@ -26,7 +26,7 @@ enum class Method
 
 struct Settings
 {
-  Method method = Method::Local;
+  Method method = Method::Compensated;
   long long trajectories = 0;  ///< upper limit over all replicates; 0: no limit with a goal below, else 10 000
   double relativeError = 0;    ///< goal: 95 % half-width over value at every receiver; 0: no such goal
   double seconds = 0;          ///< goal: stop after this time; 0: no such goal
@@ -36,12 +36,17 @@ struct Settings
   double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; <= 0: automatic
 };
 
+class Brdf;
+
 /// Points where the illuminance is wanted, in world coordinates.
 struct Receivers
 {
   std::vector<Vec3> points;
   std::vector<Vec3> normals;             ///< unit
   std::vector<std::vector<Vec3>> cells;  ///< corners of each receiver's own polygon; empty, or an empty cell: a point
+  std::vector<const Brdf*> brdfs;   ///< empty, or one each: not null asks for pi L reflected into `outgoing` instead
+  std::vector<Vec3> outgoing;       ///< unit, with brdfs
+  std::vector<char> followsMirror;  ///< 0: without the mirror part; with brdfs
 };
 
 struct AuditLine
@@ -52,13 +57,17 @@ struct AuditLine
 struct Result
 {
   int bands = 1;
-  std::vector<double> illuminance;       ///< lx, photometric
-  std::vector<double> standardError;     ///< lx, of the photometric illuminance
-  std::vector<double> direct;            ///< lx, photometric, straight from the emitters
-  std::vector<double> illuminanceBands;  ///< lx, bands() values per receiver
+  std::vector<double> illuminance;        ///< lx, photometric
+  std::vector<double> standardError;      ///< lx, of the photometric illuminance
+  std::vector<double> direct;             ///< lx, photometric, straight from the emitters
+  std::vector<double> illuminanceBands;   ///< lx, bands() values per receiver
+  std::vector<double> kernelCorrection;   ///< lx, altered kernel less plain kernel on the same trajectories
+  std::vector<double> largestScoreShare;  ///< largest single score over the sum of all, [0, 1]
+  std::vector<char> trusted;              ///< 1 where the standard error can be believed; rule in estimator/Trust.h
   long long trajectories = 0;
   int replicates = 0;
   bool aborted = false;
+  bool alteredKernel = false;  ///< the method alters the kernel, kernelCorrection means something
   double seconds = 0, cpuSeconds = 0;
   std::vector<AuditLine> audit;
 };

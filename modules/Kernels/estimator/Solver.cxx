@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "estimator/Estimator.h"
+#include "estimator/KernelAlteration.h"
+#include "estimator/Trust.h"
 
 namespace kalos
 {
@@ -27,8 +29,6 @@ void check(const Receivers& receivers, const Settings& s)
   require(s.relativeError >= 0 && s.relativeError < 1, "error: must lie in [0, 1)");
   require(s.seconds >= 0 && std::isfinite(s.seconds), "time: must be 0 (no limit) or more seconds");
   require(s.threads >= 0, "threads: must be 0 (all) or more");
-  require(std::isfinite(s.delta), "delta: must be a finite length in metres");
-  require(std::isfinite(s.epsilon), "epsilon: must be a finite length in metres");
   require(receivers.points.size() == receivers.normals.size(), "receivers: one normal per point is expected");
   for (std::size_t i = 0; i < receivers.points.size(); ++i)
   {
@@ -108,6 +108,7 @@ double secondsSince(std::chrono::steady_clock::time_point start)
 Result solve(const Scene& scene, const Receivers& receivers, const Settings& settings, const Progress& progress)
 {
   check(receivers, settings);
+  neighbourhood(scene, settings);  // refuses delta and epsilon without meaning for every method alike
   const bool goal = settings.relativeError > 0 || settings.seconds > 0;
   const long long limit = settings.trajectories ? settings.trajectories : goal ? unlimited : defaultTrajectories;
   const int replicates = replicateCount(goal ? 32 : limit);
@@ -135,9 +136,16 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
       done += count;
   }
   result.aborted = !running;
-  if (running)
-    tally.write(std::max(1LL, done), result);
+  result.alteredKernel = makeAlteration(scene, receivers, settings) != nullptr;
   result.trajectories = done * replicates;
+  if (running)
+  {
+    tally.write(std::max(1LL, done), result);
+    for (std::size_t r = 0; r < tally.receivers(); ++r)
+      result.trusted.push_back(
+          tailIsLight(result.largestScoreShare[r], {result.illuminance[r], result.standardError[r]}) &&
+          estimator->trusts(r, result.trajectories));
+  }
   result.seconds = secondsSince(start);
   result.cpuSeconds = static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC;
   result.audit = estimator->audit();

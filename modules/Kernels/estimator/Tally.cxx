@@ -1,8 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/Tally.h"
 
+#include <numeric>
+
 namespace kalos
 {
+Tally::Tally(std::size_t receivers, int replicates, int bands)
+    : Receivers(receivers),
+      Replicates(replicates),
+      BandCount(bands),
+      Fixed(receivers * bands),
+      Total(receivers * replicates * bands),
+      DirectPart(receivers * replicates * bands),
+      Correction(receivers * replicates),
+      Largest(receivers * replicates)
+{
+}
+
 MeanAndError Tally::summary(std::size_t receiver, long long n) const
 {
   const double fixed = photometric(&this->Fixed[receiver * this->BandCount], this->BandCount);
@@ -12,6 +26,14 @@ MeanAndError Tally::summary(std::size_t receiver, long long n) const
   return summarise(estimates.data(), estimates.size());
 }
 
+double Tally::largestShare(std::size_t receiver, long long n) const
+{
+  const auto first = this->Largest.begin() + static_cast<std::ptrdiff_t>(receiver * this->Replicates);
+  const double largest = *std::max_element(first, first + this->Replicates);
+  const double sum = this->summary(receiver, n).mean * static_cast<double>(n) * this->Replicates;
+  return sum > 0 ? std::min(1.0, largest / sum) : 0;
+}
+
 void Tally::write(long long n, Result& result) const
 {
   result.bands = this->BandCount;
@@ -19,6 +41,8 @@ void Tally::write(long long n, Result& result) const
   result.illuminance.resize(this->Receivers);
   result.standardError.resize(this->Receivers);
   result.direct.resize(this->Receivers);
+  result.kernelCorrection.resize(this->Receivers);
+  result.largestScoreShare.resize(this->Receivers);
   result.illuminanceBands.resize(this->Receivers * this->BandCount);
   const double samples = static_cast<double>(n) * this->Replicates;
   for (std::size_t r = 0; r < this->Receivers; ++r)
@@ -26,6 +50,9 @@ void Tally::write(long long n, Result& result) const
     const MeanAndError m = this->summary(r, n);
     result.illuminance[r] = m.mean;
     result.standardError[r] = m.standardError;
+    result.largestScoreShare[r] = this->largestShare(r, n);
+    const auto correction = this->Correction.begin() + static_cast<std::ptrdiff_t>(r * this->Replicates);
+    result.kernelCorrection[r] = std::accumulate(correction, correction + this->Replicates, 0.0) / samples;
     double direct = 0;
     for (int b = 0; b < this->BandCount; ++b)
     {

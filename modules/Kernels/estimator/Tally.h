@@ -9,33 +9,41 @@
 
 namespace kalos
 {
-/// The estimate of a replicate is  fixed + sum / n  after n trajectories of that replicate.
+/// The estimate of a replicate is  fixed + sum / n  after n trajectories of that replicate. Different receivers and
+/// replicates may be written by different threads.
 class Tally
 {
 public:
-  Tally(std::size_t receivers, int replicates, int bands)
-      : Receivers(receivers),
-        Replicates(replicates),
-        BandCount(bands),
-        Fixed(receivers * bands),
-        Total(receivers * replicates * bands),
-        DirectPart(receivers * replicates * bands)
-  {
-  }
+  Tally(std::size_t receivers, int replicates, int bands);
 
   std::size_t receivers() const { return this->Receivers; }
   int replicates() const { return this->Replicates; }
   int bands() const { return this->BandCount; }
 
-  /// bands() values each. Different receivers and replicates may be written by different threads.
-  double* fixed(std::size_t receiver) { return &this->Fixed[receiver * this->BandCount]; }
+  double* fixed(std::size_t receiver) { return &this->Fixed[receiver * this->BandCount]; }  ///< lx, bands() values
   double* total(std::size_t receiver, int replicate) { return &this->Total[this->at(receiver, replicate)]; }
   double* direct(std::size_t receiver, int replicate) { return &this->DirectPart[this->at(receiver, replicate)]; }
+
+  /// What an altered kernel scored less what the plain one would have, luminous.
+  double& correction(std::size_t receiver, int replicate)
+  {
+    return this->Correction[receiver * this->Replicates + replicate];
+  }
+
+  /// Notes one luminous score, in the unit of total().
+  void noteScore(std::size_t receiver, int replicate, double score)
+  {
+    double& largest = this->Largest[receiver * this->Replicates + replicate];
+    largest = std::max(largest, score);
+  }
 
   /// Photometric mean and standard error over the replicates, n trajectories each.
   MeanAndError summary(std::size_t receiver, long long n) const;
 
-  /// Fills the arrays of `result`.
+  /// Largest single score over the sum of all, in [0, 1], with what does not fluctuate counted in the sum.
+  double largestShare(std::size_t receiver, long long n) const;
+
+  /// Fills the arrays of `result`, but for Result::trusted.
   void write(long long n, Result& result) const;
 
 private:
@@ -46,7 +54,7 @@ private:
 
   std::size_t Receivers;
   int Replicates, BandCount;
-  std::vector<double> Fixed, Total, DirectPart;
+  std::vector<double> Fixed, Total, DirectPart, Correction, Largest;
 };
 }  // namespace kalos
 

@@ -1,32 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/Trajectories.h"
 
-#include "sampling/Warp.h"
-
 namespace kalos
 {
-void VertexSet::add(const Scene& scene, const Vec3& p, const Vec3& n, const Bands& m)
+void VertexPool::append(const VertexPool& other)
 {
-  this->px.push_back(static_cast<float>(p.x));
-  this->py.push_back(static_cast<float>(p.y));
-  this->pz.push_back(static_cast<float>(p.z));
-  this->nx.push_back(static_cast<float>(n.x));
-  this->ny.push_back(static_cast<float>(n.y));
-  this->nz.push_back(static_cast<float>(n.z));
-  this->offset.push_back(static_cast<float>(length(scene.offset(p, n) - p)));
-  for (std::size_t b = 0; b < this->flux.size(); ++b)
-    this->flux[b].push_back(static_cast<float>(m[b]));
+  this->reflected.append(other.reflected);
+  this->glossy.append(other.glossy);
+  this->emitted.append(other.emitted);
 }
 
 namespace
 {
 // Walks one trajectory. `onStart(sample)`, `onSegment(from, direction, point, weight, first)` and
-// `onCollision(point, reflectedFlux)` see what happens.
+// `onCollision(point, towardsLight, weight)` see what happens.
 template <class OnStart, class OnSegment, class OnCollision>
 void walk(const Scene& scene, const Emission& emission, RandomStream random, OnStart onStart, OnSegment onSegment,
           OnCollision onCollision)
 {
-  const int bands = scene.bands();
   const EmissionSample start = emission.sample(random);
   onStart(start);
   Bands weight = start.weight;
@@ -37,33 +28,37 @@ void walk(const Scene& scene, const Emission& emission, RandomStream random, OnS
     onSegment(from, direction, point, weight, first);
     if (!point.valid)
       return;
+    onCollision(point, -direction, weight);
 
-    // Reflect: score what leaves the vertex, then survive with the probability of the luminous share reflected.
-    const Bands& reflectance = scene.material(point.triangle).reflectance;
-    Bands reflectedFlux;
-    for (int b = 0; b < bands; ++b)
-      reflectedFlux[b] = reflectance[b] * weight[b];
-    const double survival = photometric(reflectedFlux, bands) / photometric(weight, bands);
-    if (!(survival > 0))
+    // Reflect, or be absorbed with the probability of the luminous share that the surface absorbs.
+    const double u0 = random.next(), u1 = random.next(), u2 = random.next();
+    const BrdfSample next = scene.brdf(point.triangle).sample(point.normal, -direction, weight, u0, u1, u2);
+    if (!next.alive)
       return;
-    onCollision(point, reflectedFlux);
-    if (random.next() >= survival)
-      return;
-    for (int b = 0; b < bands; ++b)
-      weight[b] = reflectedFlux[b] / survival;
-
-    const double u1 = random.next(), u2 = random.next();
-    direction = Frame(point.normal).toWorld(cosineHemisphere(u1, u2));
+    for (int b = 0; b < scene.bands(); ++b)
+      weight[b] *= next.weight[b];
+    direction = next.direction;
     from = point.position;
     point = scene.trace(from, point.normal, direction);
   }
 }
 }  // namespace
 
-TrajectoryChunk traceTrajectories(const Scene& scene, const Emission& emission, std::uint64_t seed, int replicate,
-                                  long long first, int count)
+VertexPool traceTrajectories(const Scene& scene, const Emission& emission, std::uint64_t seed, int replicate,
+                             long long first, int count)
 {
-  TrajectoryChunk chunk{VertexSet(scene.bands()), VertexSet(scene.bands())};
+  VertexPool pool(scene.bands());
+  auto keep = [&](const SurfacePoint& point, const Vec3& towardsLight, const Bands& weight)
+  {
+    const Material& material = scene.material(point.triangle);
+    if (material.specular > 0)
+      return pool.glossy.addGlossy(scene, point, towardsLight, weight);
+    Bands reflected{};
+    for (int b = 0; b < scene.bands(); ++b)
+      reflected[b] = material.reflectance[b] * weight[b];
+    if (photometric(reflected, scene.bands()) > 0)  // a mirror's vertex scores nothing
+      pool.reflected.add(scene, point.position, point.normal, reflected);
+  };
   for (long long i = first; i < first + count; ++i)
   {
     walk(
@@ -71,13 +66,11 @@ TrajectoryChunk traceTrajectories(const Scene& scene, const Emission& emission, 
         [&](const EmissionSample& start)
         {
           if (start.onSurface)
-            chunk.emitted.add(scene, start.position, start.normal, start.weight);
+            pool.emitted.add(scene, start.position, start.normal, start.weight);
         },
-        [](auto&&...) {},
-        [&](const SurfacePoint& point, const Bands& reflectedFlux)
-        { chunk.reflected.add(scene, point.position, point.normal, reflectedFlux); });
+        [](auto&&...) {}, keep);
   }
-  return chunk;
+  return pool;
 }
 
 void walkTrajectories(const Scene& scene, const Emission& emission, std::uint64_t seed, int replicate, long long first,

@@ -1,32 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Trajectories of light and the vertices they leave on the surfaces.
+// Trajectories of light, from the emitters over the surfaces until they are absorbed or leave.
 #ifndef kalos_estimator_Trajectories_h
 #define kalos_estimator_Trajectories_h
 
-#include <vector>
-
 #include "estimator/Emission.h"
+#include "estimator/VertexSet.h"
 
 namespace kalos
 {
-/// Vertices in structure-of-arrays form, single precision, about the scene's origin. A vertex sends the flux M (lm per
-/// band, if its trajectory were the only one) from p into the hemisphere about n, as a Lambertian surface does.
-struct VertexSet
-{
-  std::vector<float> px, py, pz, nx, ny, nz;
-  std::vector<float> offset;             ///< m along n to where shadow rays start
-  std::vector<std::vector<float>> flux;  ///< M, one array per band
-
-  explicit VertexSet(int bands = 1) : flux(bands) {}
-  std::size_t size() const { return this->px.size(); }
-  void add(const Scene& scene, const Vec3& p, const Vec3& n, const Bands& m);
-};
-
 /// Vertices of a run of trajectories of one replicate.
-struct TrajectoryChunk
+struct VertexPool
 {
-  VertexSet reflected;  ///< collisions: M = reflectance times incident weight
-  VertexSet emitted;    ///< starts on emitting meshes: M = emitted flux
+  VertexSet reflected;  ///< collisions with Lambertian surfaces: flux = reflectance times incident weight
+  VertexSet glossy;     ///< collisions with glossy surfaces: flux = incident weight, with its direction
+  VertexSet emitted;    ///< starts on emitting meshes: flux = emitted flux
+
+  explicit VertexPool(int bands = 1) : reflected(bands), glossy(bands), emitted(bands) {}
+  void append(const VertexPool& other);
 };
 
 /// One step of a trajectory, told to whoever simulates directly.
@@ -40,8 +30,8 @@ struct Segment
 
 /// Traces trajectories [first, first + count) of a replicate. Ended by Russian roulette on the luminous share that a
 /// surface reflects, never by a depth limit.
-TrajectoryChunk traceTrajectories(const Scene& scene, const Emission& emission, std::uint64_t seed, int replicate,
-                                  long long first, int count);
+VertexPool traceTrajectories(const Scene& scene, const Emission& emission, std::uint64_t seed, int replicate,
+                             long long first, int count);
 
 /// The same trajectories, segment by segment.
 void walkTrajectories(const Scene& scene, const Emission& emission, std::uint64_t seed, int replicate, long long first,

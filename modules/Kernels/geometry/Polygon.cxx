@@ -5,45 +5,62 @@ namespace kalos
 {
 namespace
 {
-// Sutherland-Hodgman against the plane through r with normal n; corners relative to r. Returns the new count.
-int clipBelowHorizon(const Vec3& n, const Vec3* corners, int count, Vec3* clipped)
+// Sums angle times unit edge normal over the closed chain of points that it is given, seen from the origin.
+class EdgeSum
 {
-  int kept = 0;
-  for (int i = 0; i < count; ++i)
+public:
+  explicit EdgeSum(const Vec3& normal) : Normal(normal) {}
+
+  void add(const Vec3& corner)
   {
-    const Vec3& a = corners[i];
-    const Vec3& b = corners[(i + 1) % count];
-    const double ha = dot(a, n), hb = dot(b, n);
-    if (ha >= 0)
-      clipped[kept++] = a;
-    if ((ha < 0) != (hb < 0))
-      clipped[kept++] = a + (ha / (ha - hb)) * (b - a);
+    if (this->Count++ == 0)
+      this->First = corner;
+    else
+      this->addEdge(this->Last, corner);
+    this->Last = corner;
   }
-  return kept;
-}
+
+  double close()
+  {
+    if (this->Count < 3)
+      return 0;
+    this->addEdge(this->Last, this->First);
+    return this->Sum;
+  }
+
+private:
+  void addEdge(const Vec3& a, const Vec3& b)
+  {
+    const Vec3 edgeNormal = cross(a, b);
+    const double sine = length(edgeNormal);
+    if (sine > 0)  // an edge that points at the origin subtends no angle
+      this->Sum += std::atan2(sine, dot(a, b)) * dot(this->Normal, edgeNormal) / sine;
+  }
+
+  Vec3 Normal, First, Last;
+  int Count = 0;
+  double Sum = 0;
+};
 }  // namespace
 
 double polygonFormFactor(const Vec3& r, const Vec3& n, const Vec3* corners, int count)
 {
-  Vec3 relative[maxPolygonCorners], clipped[maxPolygonCorners + 1];
+  // Sutherland-Hodgman against the horizon, edge by edge.
+  EdgeSum sum(n);
+  Vec3 a = corners[count - 1] - r;
+  double ha = dot(a, n);
   for (int i = 0; i < count; ++i)
-    relative[i] = corners[i] - r;
-  const int kept = clipBelowHorizon(n, relative, count, clipped);
-  if (kept < 3)
-    return 0;
-
-  // Sum the edge vectors: angle times the normal of the plane through the edge and r.
-  double sum = 0;
-  for (int i = 0; i < kept; ++i)
   {
-    const Vec3& a = clipped[i];
-    const Vec3& b = clipped[(i + 1) % kept];
-    const Vec3 edgeNormal = cross(a, b);
-    const double sine = length(edgeNormal);
-    if (sine > 0)  // an edge that points at r subtends no angle
-      sum += std::atan2(sine, dot(a, b)) * dot(n, edgeNormal) / sine;
+    const Vec3 b = corners[i] - r;
+    const double hb = dot(b, n);
+    if ((ha < 0) != (hb < 0))
+      sum.add(a + (ha / (ha - hb)) * (b - a));
+    if (hb >= 0)
+      sum.add(b);
+    a = b;
+    ha = hb;
   }
-  return std::min(1.0, std::abs(sum) / (2 * pi));
+  return std::min(1.0, std::abs(sum.close()) / (2 * pi));
 }
 
 SphericalTriangle::SphericalTriangle(const Vec3& from, const Vec3& a, const Vec3& b, const Vec3& c)

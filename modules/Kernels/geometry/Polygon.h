@@ -7,10 +7,8 @@
 
 namespace kalos
 {
-constexpr int maxPolygonCorners = 8;
-
-/// Form factor from the surface element at r with unit normal n to a planar convex polygon of `count` corners
-/// (3..maxPolygonCorners-1): E = M F for a polygon of exitance M. The part below the horizon of r is cut away.
+/// Form factor from the surface element at r with unit normal n to a planar convex polygon of `count` >= 3
+/// corners: E = M F for a polygon of exitance M. The part below the horizon of r is cut away.
 /// Lambert's formula: F = |sum of angle_i n.(unit normal of the plane r, c_i, c_i+1)| / 2 pi. Range [0, 1].
 /// The side of the polygon that r lies on does not matter; a caller with one-sided emission checks it.
 double polygonFormFactor(const Vec3& r, const Vec3& n, const Vec3* corners, int count);

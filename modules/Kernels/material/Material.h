@@ -7,16 +7,17 @@
 
 namespace kalos
 {
-/// A two-sided Lambertian reflector that may emit on the side of its normal.
+/// A two-sided reflector: a diffuse part, a glossy GGX lobe and a perfect mirror share; it may emit on the side of its
+/// normal. The sum of reflectance, specular and mirror stays below 1. material/Brdf.h has the formulas.
 struct Material
 {
-  Bands reflectance{};  ///< diffuse reflectance rho per band, [0, 1)
-  Bands exitance{};     ///< M0 per band, lm/m2, >= 0, emitted on the side of the normal
+  Bands reflectance{};   ///< diffuse reflectance rho per band, [0, 1)
+  Bands exitance{};      ///< M0 per band, lm/m2, >= 0, emitted on the side of the normal
+  double specular = 0;   ///< reflectance of the glossy lobe at normal incidence F0, [0, 1), neutral
+  double roughness = 1;  ///< of the glossy lobe, (0, 1]; the GGX width is its square, as in glTF
+  double mirror = 0;     ///< share reflected as by a perfect mirror, [0, 1), neutral
 
-  bool operator==(const Material& other) const
-  {
-    return this->reflectance == other.reflectance && this->exitance == other.exitance;
-  }
+  bool isLambertian() const { return this->specular == 0 && this->mirror == 0; }
 };
 }  // namespace kalos
 

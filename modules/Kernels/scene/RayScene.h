@@ -53,7 +53,8 @@ public:
   /// Bit i of the result is set when segment i (of the first `count`) is occluded.
   std::uint32_t occluded(const SegmentPacket& segments, int count) const;
 
-  /// With Queries::AllCrossings: calls `visit(triangle)` for every triangle crossed by the segment from a to b, in no particular order.
+  /// With Queries::AllCrossings: calls `visit(triangle)` for every triangle crossed by the segment from a to b, in no
+  /// particular order.
   void crossings(const Vec3& a, const Vec3& b, const std::function<void(std::uint32_t)>& visit) const;
 
 private:

@@ -14,6 +14,18 @@ void require(bool condition, const std::string& message)
     throw std::invalid_argument(message);
 }
 
+void checkMaterial(const Material& m, int bands, const std::string& where)
+{
+  require(m.specular >= 0 && m.mirror >= 0, where + "specular and mirror must be 0 or more");
+  require(m.specular == 0 || (m.roughness > 0 && m.roughness <= 1), where + "roughness must lie in (0, 1]");
+  for (int b = 0; b < bands; ++b)
+  {
+    require(m.reflectance[b] >= 0 && m.reflectance[b] + m.specular + m.mirror < 1,
+            where + "reflectance, specular and mirror must sum to less than 1");
+    require(m.exitance[b] >= 0 && std::isfinite(m.exitance[b]), where + "exitance must be 0 or more");
+  }
+}
+
 void check(const SceneDescription& d)
 {
   require(d.bands >= 1 && d.bands <= maxBands, "bands: must be 1 to " + std::to_string(maxBands));
@@ -26,6 +38,8 @@ void check(const SceneDescription& d)
       require(corner < d.points.size(), "triangle " + std::to_string(i) + ": names a point that does not exist");
     require(d.triangleMaterial[i] < d.materials.size(), "triangle " + std::to_string(i) + ": has no material");
   }
+  for (std::size_t i = 0; i < d.materials.size(); ++i)
+    checkMaterial(d.materials[i], d.bands, "material " + std::to_string(i) + ": ");
 }
 }  // namespace
 
@@ -59,6 +73,8 @@ Scene::Scene(SceneDescription description)
       Origin(recentre(this->Data, this->Size)),
       Rays(this->Data.points, this->Data.triangles)
 {
+  for (const Material& material : this->Data.materials)
+    this->Brdfs.emplace_back(material, this->Data.bands);
   const auto count = static_cast<std::uint32_t>(this->Data.triangles.size());
   this->Normals.resize(count);
   this->Areas.resize(count);

@@ -8,7 +8,7 @@
 
 #include "geometry/Vector.h"
 #include "luminaire/Luminaire.h"
-#include "material/Material.h"
+#include "material/Brdf.h"
 #include "scene/RayScene.h"
 
 namespace kalos
@@ -52,6 +52,7 @@ public:
   {
     return this->Data.materials[this->Data.triangleMaterial[triangle]];
   }
+  const Brdf& brdf(std::uint32_t triangle) const { return this->Brdfs[this->Data.triangleMaterial[triangle]]; }
   const Vec3& normal(std::uint32_t triangle) const { return this->Normals[triangle]; }
   double area(std::uint32_t triangle) const { return this->Areas[triangle]; }
   Vec3 corner(std::uint32_t triangle, int i) const { return this->Data.points[this->Data.triangles[triangle][i]]; }
@@ -73,6 +74,7 @@ private:
   double Size = 0;
   Vec3 Origin;
   RayScene Rays;
+  std::vector<Brdf> Brdfs;  // one per material
   std::vector<Vec3> Normals;
   std::vector<double> Areas;
   double SurfaceArea = 0;

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/CompensatedEstimation.h"
+
+#include "estimator/VertexRound.h"
+#include "sampling/Sobol.h"
+
+namespace kalos
+{
+namespace
+{
+constexpr int trajectoriesPerRay = 16;  // trajectories per gather ray of a receiver
+constexpr int picksPerBlock = SegmentPacket::width;
+}  // namespace
+
+CompensatedEstimation::CompensatedEstimation(const Scene& scene, const Receivers& receivers, const Settings& settings)
+    : Lit(scene),
+      Wanted(settings),
+      Source(scene),
+      Direct(scene, receivers, settings.seed),
+      Rays(scene, measureDensity(scene, this->Source, settings.seed), this->Direct.shadows())
+{
+}
+
+bool CompensatedEstimation::prepare(Workers& workers, Tally& tally)
+{
+  return this->Direct.prepare(workers, tally);
+}
+
+bool CompensatedEstimation::addRound(long long first, int count, Workers& workers, Tally& tally)
+{
+  if (!(this->Source.totalFlux() > 0))
+    return true;  // a dark scene
+  const int replicates = tally.replicates();
+  const std::vector<VertexPool> pools =
+      traceRound(this->Lit, this->Source, this->Wanted.seed, replicates, first, count, workers);
+  if (pools.empty())
+    return false;
+  const Round round{first, count, (count + trajectoriesPerRay - 1) / trajectoriesPerRay, pools};
+
+  // A task owns its tile and replicate, so that no sum depends on the threads.
+  const bool scored = workers.forEach(tileCount(tally.receivers()) * replicates,
+                                      [&](std::size_t task)
+                                      {
+                                        const int replicate = static_cast<int>(task % replicates);
+                                        const std::size_t tile = task / replicates,
+                                                          end = std::min(tally.receivers(), (tile + 1) * tileSize);
+                                        for (std::size_t r = tile * tileSize; r < end; ++r)
+                                        {
+                                          this->scoreVertices(r, replicate, round, tally);
+                                          this->scoreGathered(r, replicate, round, tally);
+                                          this->Direct.score(r, replicate, first, count, tally);
+                                        }
+                                      });
+  this->RaysDone += round.rays;
+  return scored;
+}
+
+void CompensatedEstimation::scoreVertices(std::size_t r, int replicate, const Round& round, Tally& tally) const
+{
+  const Sensor& sensor = this->Direct.sensors()[r];
+  const PairLimits limits = this->Rays.limits(round.count, round.rays);
+  RandomStream random = receiverStream(this->Wanted.seed, replicate, Purpose::Selection, r, round.first);
+  PairBlock block;
+  auto score = [&](const VertexSet& set, double limit, double* sum)
+  {
+    for (std::size_t begin = 0; begin < set.size(); begin += PairBlock::capacity)
+    {
+      const auto count = static_cast<int>(std::min<std::size_t>(PairBlock::capacity, set.size() - begin));
+      formPairs(set, begin, count, sensor, 1 / limit, block);
+      tally.noteScore(r, replicate,
+                      this->Direct.shadows()
+                          ? addPickedScores(this->Lit.rays(), set, sensor, block, picksPerBlock, random.next(), sum)
+                          : addScores(set, block, sum));
+    }
+  };
+  const VertexPool& pool = round.pools[replicate];
+  double* total = tally.total(r, replicate);
+  score(pool.reflected, limits.reflected, total);
+  score(pool.glossy, limits.reflected, total);
+  if (this->Direct.exactMeshes(r))
+    return;
+  Bands emitted{};
+  score(pool.emitted, limits.emitted, emitted.data());
+  for (int b = 0; b < tally.bands(); ++b)
+  {
+    total[b] += emitted[b];
+    tally.direct(r, replicate)[b] += emitted[b];
+  }
+}
+
+void CompensatedEstimation::scoreGathered(std::size_t r, int replicate, const Round& round, Tally& tally) const
+{
+  const GatherPool pool{&round.pools[replicate], round.count};
+  Gathering::Start start{this->Rays.limits(round.count, round.rays), !this->Direct.exactMeshes(r), 0, 0};
+  RandomStream key = receiverStream(this->Wanted.seed, replicate, Purpose::Gather, r, -1);
+  const auto sequence = static_cast<std::uint64_t>(key.next() * 0x1.0p53);
+  Bands sum{}, emission{};
+  for (long long k = this->RaysDone; k < this->RaysDone + round.rays; ++k)
+  {
+    sobolPoint(sequence, static_cast<std::uint32_t>(k), start.u1, start.u2);
+    RandomStream random = receiverStream(this->Wanted.seed, replicate, Purpose::Gather, r, k);
+    const Bands gathered = this->Rays.gather(this->Direct.sensors()[r], pool, start, random, emission);
+    for (int b = 0; b < tally.bands(); ++b)
+      sum[b] += gathered[b];
+    tally.noteScore(r, replicate, photometric(gathered, tally.bands()) * round.count / round.rays);
+  }
+  const double weight = static_cast<double>(round.count) / round.rays;
+  for (int b = 0; b < tally.bands(); ++b)
+  {
+    tally.total(r, replicate)[b] += weight * sum[b];
+    tally.direct(r, replicate)[b] += weight * emission[b];
+  }
+}
+
+std::vector<AuditLine> CompensatedEstimation::audit() const
+{
+  std::vector<AuditLine> lines = this->Direct.audit();
+  lines.push_back({"kernel", "compensated",
+                   "bounded and unbiased; one gather ray per " + std::to_string(trajectoriesPerRay) + " trajectories"});
+  return lines;
+}
+}  // namespace kalos

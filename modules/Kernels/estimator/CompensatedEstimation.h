@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Method `compensated`: bounded and unbiased, with no length to tune.
+//
+//   E = E_direct + sum of a(G) X  +  integral of (1 - a(G)) L cos(theta) d omega,   a(G) = 1/(1 + G/G*)
+//
+// Vertices keep the first part, and no score exceeds M G*. A few cosine-weighted rays from the receiver gather the
+// second, the luminance where they end being (M0 + rho E)/pi by the same estimator (estimator/Gathering.h). The balance
+// heuristic gives G* = (trajectories x collision density per trajectory and m2) / (gather rays).
+// Shadow rays go to vertices picked in proportion to their unshadowed scores, one packet per block of 256.
+// Bias: none. Source: compensation of clamped virtual lights (Kollig and Keller 2004) with a smooth split.
+#ifndef kalos_estimator_CompensatedEstimation_h
+#define kalos_estimator_CompensatedEstimation_h
+
+#include "estimator/DirectPart.h"
+#include "estimator/Estimator.h"
+#include "estimator/Gathering.h"
+
+namespace kalos
+{
+class CompensatedEstimation : public Estimator
+{
+public:
+  CompensatedEstimation(const Scene& scene, const Receivers& receivers, const Settings& settings);
+
+  bool prepare(Workers& workers, Tally& tally) override;
+  bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
+  std::vector<AuditLine> audit() const override;
+
+private:
+  struct Round
+  {
+    long long first;
+    int count;
+    int rays;  // gather rays per receiver and replicate
+    const std::vector<VertexPool>& pools;
+  };
+  void scoreVertices(std::size_t receiver, int replicate, const Round& round, Tally& tally) const;
+  void scoreGathered(std::size_t receiver, int replicate, const Round& round, Tally& tally) const;
+
+  const Scene& Lit;
+  Settings Wanted;
+  Emission Source;
+  DirectPart Direct;
+  Gathering Rays;
+  long long RaysDone = 0;  // per receiver and replicate, in earlier rounds
+};
+}  // namespace kalos
+
+#endif

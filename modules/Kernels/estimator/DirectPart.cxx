@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/DirectPart.h"
+
+#include "estimator/VertexRound.h"
+
+namespace kalos
+{
+namespace
+{
+constexpr int trajectoriesPerShadow = 4;        // trajectories per sample of an area emitter's shadow
+constexpr std::size_t largestViews = 1u << 24;  // unshadowed illuminances kept, receivers times emitters: 128 MB
+constexpr std::uint32_t largestExact = 4096;    // emitting triangles served by closed forms
+
+std::vector<Vec3> inScene(const Scene& scene, const std::vector<Vec3>& points)
+{
+  std::vector<Vec3> moved;
+  moved.reserve(points.size());
+  for (const Vec3& p : points)
+    moved.push_back(p - scene.origin());
+  return moved;
+}
+}  // namespace
+
+DirectPart::DirectPart(const Scene& scene, const Receivers& receivers, std::uint64_t seed)
+    : Lit(scene),
+      Seed(seed),
+      Found(auditScene(scene, inScene(scene, receivers.points))),
+      ClosedForms(this->Found.emittingTriangles <= largestExact &&
+                  this->Found.emittingTriangles * receivers.points.size() <= largestViews),
+      Direct(scene, this->ClosedForms, this->shadows()),
+      Luminaires(scene, false, this->shadows())
+{
+  this->Sensors.reserve(receivers.points.size());
+  for (std::size_t i = 0; i < receivers.points.size(); ++i)
+  {
+    Sensor sensor(scene, receivers.points[i] - scene.origin(), receivers.normals[i]);
+    if (i < receivers.brdfs.size() && receivers.brdfs[i])
+    {
+      sensor.brdf = receivers.brdfs[i];
+      sensor.outgoing = receivers.outgoing[i];
+      sensor.followsMirror = receivers.followsMirror[i];
+    }
+    this->Sensors.push_back(sensor);
+  }
+}
+
+bool DirectPart::prepare(Workers& workers, Tally& tally)
+{
+  this->Views.resize(this->Sensors.size());
+  return workers.forEach(tileCount(this->Sensors.size()),
+                         [&](std::size_t tile)
+                         {
+                           const std::size_t end = std::min(this->Sensors.size(), (tile + 1) * tileSize);
+                           for (std::size_t r = tile * tileSize; r < end; ++r)
+                           {
+                             if (this->Sensors[r].brdf)
+                               continue;
+                             DirectLight::View& view = this->Views[r];
+                             this->Direct.look(this->Sensors[r], view);
+                             for (int b = 0; b < tally.bands(); ++b)
+                               tally.fixed(r)[b] = view.points[b] + view.areas[b];
+                           }
+                         });
+}
+
+void DirectPart::score(std::size_t r, int replicate, long long first, int count, Tally& tally) const
+{
+  const Sensor& sensor = this->Sensors[r];
+  if (!sensor.brdf && (!this->Direct.hasAreas() || !this->shadows()))
+    return;
+  const int samples = (count + trajectoriesPerShadow - 1) / trajectoriesPerShadow;
+  RandomStream random = receiverStream(this->Seed, replicate, Purpose::DirectLight, r, first);
+  Bands sum{};
+  if (sensor.brdf)
+  {
+    thread_local DirectLight::View scratch;
+    for (int s = 0; s < samples; ++s)
+    {
+      const Bands e = this->Luminaires.sample(sensor, random, scratch);
+      for (int b = 0; b < tally.bands(); ++b)
+        sum[b] += e[b];
+    }
+  }
+  else
+  {
+    for (int s = 0; s < samples; ++s)
+      this->Direct.sampleHidden(sensor, this->Views[r], random, sum);
+    for (int b = 0; b < tally.bands(); ++b)
+      sum[b] = -sum[b];
+  }
+  for (int b = 0; b < tally.bands(); ++b)
+  {
+    const double weighted = sum[b] * count / samples;  // as much weight as the round's trajectories
+    tally.total(r, replicate)[b] += weighted;
+    tally.direct(r, replicate)[b] += weighted;
+  }
+}
+
+std::vector<AuditLine> DirectPart::audit() const
+{
+  std::vector<AuditLine> lines;
+  const int bands = this->Lit.bands();
+  lines.push_back({"bands", std::to_string(bands),
+                   bands == 1   ? "all materials are photometric"
+                   : bands == 3 ? "a material has red, green and blue"
+                                : "a material has that many bands"});
+  bool glossy = false, mirror = false;
+  for (const Material& m : this->Lit.data().materials)
+  {
+    glossy = glossy || m.specular > 0;
+    mirror = mirror || m.mirror > 0;
+  }
+  lines.push_back(
+      {"reflection",
+       glossy && mirror ? "diffuse, glossy, mirror"
+       : glossy         ? "diffuse, glossy"
+       : mirror         ? "diffuse, mirror"
+                        : "diffuse",
+       glossy || mirror ? "as the materials say" : "every luminance is rho E / pi, no second estimate is run"});
+  if (this->Found.unoccluded)
+    lines.push_back({"shadow rays", "none", "the room is convex and empty: nothing can stand between two points"});
+  else
+    lines.push_back({"shadow rays", "traced", "surfaces may stand between two points"});
+  const auto& luminaires = this->Lit.data().luminaires;
+  const auto points =
+      std::count_if(luminaires.begin(), luminaires.end(), [](const Luminaire& l) { return l.isPoint(); });
+  if (points)
+    lines.push_back({"point luminaires", std::to_string(points) + ", exact", "their direct light has a closed form"});
+  if (static_cast<std::size_t>(points) < luminaires.size())
+    lines.push_back({"luminous rectangles", std::to_string(luminaires.size() - points) + ", polygon formula",
+                     "only the hidden part is sampled"});
+  if (points && mirror)
+    lines.push_back({"point luminaires in mirrors", "not seen",
+                     "a point has no area for a gather ray to meet; use a luminous rectangle"});
+  if (this->Found.emittingTriangles)
+    lines.push_back(
+        {"emitting triangles",
+         std::to_string(this->Found.emittingTriangles) +
+             (this->ClosedForms ? ", polygon formula" : ", trajectory starts"),
+         this->ClosedForms ? "only the hidden part is sampled" : "too many for a closed form at every receiver"});
+  return lines;
+}
+}  // namespace kalos

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The receivers of a solve as sensors, and the direct light that methods with exact direct light share.
+#ifndef kalos_estimator_DirectPart_h
+#define kalos_estimator_DirectPart_h
+
+#include "estimator/DirectLight.h"
+#include "estimator/Tally.h"
+#include "estimator/Workers.h"
+#include "scene/Audit.h"
+
+namespace kalos
+{
+class DirectPart
+{
+public:
+  DirectPart(const Scene& scene, const Receivers& receivers, std::uint64_t seed);
+
+  const std::vector<Sensor>& sensors() const { return this->Sensors; }
+  bool shadows() const { return !this->Found.unoccluded; }
+
+  /// False when the starts of trajectories on emitting meshes must score at this receiver: there are too many emitting
+  /// triangles for closed forms, or the receiver is glossy.
+  bool exactMeshes(std::size_t receiver) const { return this->ClosedForms && !this->Sensors[receiver].brdf; }
+
+  /// Fills the fixed part of the tally: all that does not fluctuate. Returns false when aborted.
+  bool prepare(Workers& workers, Tally& tally);
+
+  /// Adds what fluctuates, for a round of trajectories [first, first + count): the hidden part of area emitters, or the
+  /// whole direct light of a glossy receiver.
+  void score(std::size_t receiver, int replicate, long long first, int count, Tally& tally) const;
+
+  std::vector<AuditLine> audit() const;
+
+private:
+  const Scene& Lit;
+  std::uint64_t Seed;
+  Audit Found;
+  bool ClosedForms;
+  DirectLight Direct;      // luminaires, and meshes where closed forms serve
+  DirectLight Luminaires;  // luminaires only
+  std::vector<Sensor> Sensors;
+  std::vector<DirectLight::View> Views;
+};
+
+/// Receivers that one task serves, and the number of such tiles.
+constexpr std::size_t tileSize = 16;
+inline std::size_t tileCount(std::size_t receivers)
+{
+  return (receivers + tileSize - 1) / tileSize;
+}
+}  // namespace kalos
+
+#endif

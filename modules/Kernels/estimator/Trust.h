@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// When a standard error can be believed.
+//
+// Rule. The interval of a receiver is trusted unless
+//  (1) one single score makes up more than half a standard error of the mean: x_max / N > 0.5 SE. With a finite
+//  variance the
+//      ratio falls as 1/sqrt(N); with the kernel's tail, whose variance is unbounded, it does not; or
+//  (2) the method scores the plain kernel and the vertices are too sparse to see the receiver's surroundings: of 64
+//      cosine-weighted probe rays from the receiver the third largest kernel G (so 4 % of the irradiating hemisphere)
+//      has fewer than 10 vertices expected in its area 1/G. Then the spikes that carry that light are too rare to have
+//      been met, and a quiet sample only looks exact.
+#ifndef kalos_estimator_Trust_h
+#define kalos_estimator_Trust_h
+
+#include "estimator/Sensor.h"
+#include "estimator/Tally.h"
+
+namespace kalos
+{
+/// Rule (1).
+bool tailIsLight(double largestScoreShare, const MeanAndError& estimate);
+
+/// The third largest kernel (1/m2) of 64 probe rays; 0 when fewer rays than that meet a surface.
+double nearKernel(const Scene& scene, const Sensor& sensor);
+
+/// Rule (2), for vertices of `density` per m2.
+bool nearFieldIsSeen(double nearKernel, double density);
+}  // namespace kalos
+
+#endif
