@@ -209,14 +209,34 @@ def test_truncated_binary_ply(tmp_path):
     assert error_of(tmp_path, "a.ply") == "a.ply: face 2: the file ends here; expected more bytes"
 
 
-@pytest.mark.parametrize("name", ["a.stl", "a.vtp"])
-def test_damaged_files(tmp_path, name):
-    write(tmp_path, name, make_triangles())
-    content = (tmp_path / name).read_bytes()
-    (tmp_path / name).write_bytes(content[:len(content) // 2])
-    assert error_of(tmp_path, name).startswith(name + ": file: ")
-    (tmp_path / name).write_bytes(b"\x07garbage" * 40)
-    assert error_of(tmp_path, name).startswith(name + ": file: ")
+@pytest.mark.parametrize("content, message", [
+    (b"\x07garbage" * 40, "a.stl: file: no STL file, or damaged: 320 bytes; expected "),
+    (b"", "a.stl: file: no STL file, or damaged: 0 bytes; expected at least 84, or text from solid to endsolid"),
+    (b"solid a\n", "a.stl: file: no STL file, or the end is missing; expected solid ... endsolid"),
+    (b"solid a\nfacet\nvertex 1 2\n", "a.stl: line 3: a vertex without three numbers; expected vertex X Y Z"),
+    (b"solid a\nfacet\nvertex 1 2 3\nendfacet\n", "a.stl: line 4: a facet with 1 corners; expected three"),
+    (b"solid a\nfacet\n" + b"vertex 1 2 3\n" * 4, "a.stl: line 6: a facet with more than three corners"),
+    (b"solid a\nfaces\n", "a.stl: line 2: unknown statement 'faces'; expected facet, vertex or another"),
+    (b"solid a\nendsolid\n", "a.stl: file: no polygons; expected at least one"),
+])
+def test_stl_mistakes(tmp_path, content, message):
+    (tmp_path / "a.stl").write_bytes(content)
+    assert error_of(tmp_path, "a.stl").startswith(message)
+
+
+def test_truncated_binary_stl(tmp_path):
+    write(tmp_path, "a.stl", make_triangles())
+    content = (tmp_path / "a.stl").read_bytes()
+    (tmp_path / "a.stl").write_bytes(content[:-1])
+    assert error_of(tmp_path, "a.stl").startswith("a.stl: file: no STL file, or damaged: 183 bytes; expected 184")
+
+
+def test_damaged_vtp(tmp_path):
+    write(tmp_path, "a.vtp", make_triangles())
+    content = (tmp_path / "a.vtp").read_bytes()
+    for damaged in (content[:len(content) // 2], b"\x07garbage" * 40, b""):
+        (tmp_path / "a.vtp").write_bytes(damaged)
+        assert error_of(tmp_path, "a.vtp").startswith("a.vtp: file: cannot be read: ")
 
 
 def test_stl_names_a_degenerate_face(tmp_path):

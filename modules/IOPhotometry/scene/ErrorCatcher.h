@@ -22,6 +22,9 @@ public:
     algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Observer);
   }
 
+  /** For objects inside the algorithm that report errors of their own. */
+  vtkCommand* Command() const { return this->Observer.Get(); }
+
   bool Empty() const { return this->Observer->Text.empty(); }
 
   /** The first message without VTK's "ERROR: In FILE, line N" and the object's address. */

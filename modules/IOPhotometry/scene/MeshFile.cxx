@@ -10,6 +10,7 @@
 #include "ObjFile.h"
 #include "PlyFile.h"
 #include "SceneError.h"
+#include "StlFile.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -17,7 +18,6 @@
 #include "vtkKalosArrayNames.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkSTLReader.h"
 #include "vtkSmartPointer.h"
 #include "vtkXMLPolyDataReader.h"
 
@@ -25,15 +25,16 @@ namespace kalos::scene
 {
 namespace
 {
-template <typename Reader>
-vtkSmartPointer<vtkPolyData> ReadWith(Reader* reader, const std::string& path)
+vtkSmartPointer<vtkPolyData> ReadVtp(const std::string& path)
 {
+  vtkNew<vtkXMLPolyDataReader> reader;
   ErrorCatcher errors(reader);
+  reader->SetParserErrorObserver(errors.Command());
   reader->SetFileName(path.c_str());
   reader->Update();
   if (!errors.Empty())
   {
-    throw SceneError(path, "file", "cannot be read: " + errors.FirstLine() + "; expected an undamaged mesh file");
+    throw SceneError(path, "file", "cannot be read: " + errors.FirstLine() + "; expected an undamaged VTP file");
   }
   return reader->GetOutput();
 }
@@ -166,14 +167,11 @@ Mesh ReadMeshFile(const Node& place, const std::string& path, const Materials& m
   }
   else if (type == ".stl")
   {
-    vtkNew<vtkSTLReader> reader;
-    reader->MergingOff();  // merging drops degenerate triangles without a word
-    mesh = FromPolyData(ReadWith(reader.Get(), path), path);
+    mesh = ReadStlFile(path);
   }
   else if (type == ".vtp")
   {
-    vtkNew<vtkXMLPolyDataReader> reader;
-    const auto data = ReadWith(reader.Get(), path);
+    const auto data = ReadVtp(path);
     mesh = FromPolyData(data, path);
     if (!fallback && data->GetCellData()->GetArray(vtkKalosArrayNames::Reflectance))
     {

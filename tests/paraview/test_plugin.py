@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin in pvpython: every proxy can be made, is documented and sits in the menu; data flow through them.
+
+    pvpython test_plugin.py Kalos.so SOURCE_DIRECTORY
+"""
+import os
+import re
+import sys
+import tempfile
+import unittest
+
+import paraview.simple as pv
+from paraview import servermanager
+
+PLUGIN, SOURCE = sys.argv[1:3]
+XMLS = os.path.join(SOURCE, "apps", "paraview", "xmls")
+pv.LoadPlugin(PLUGIN, remote=False, ns=pv.__dict__)
+
+# Stem of each XML and the group of its proxy.
+STEMS = {"CalculationPlane": "sources", "LuminaireSource": "sources", "SceneReader": "sources", "EXRReader": "sources",
+         "EXRWriter": "writers", "FalseColor": "filters", "Illuminance": "filters", "LuminanceImage": "filters"}
+
+
+def new_proxy(stem):
+    manager = servermanager.ProxyManager().SMProxyManager
+    return manager.NewProxy(STEMS[stem], "Kalos" + stem)
+
+
+class Plugin(unittest.TestCase):
+    def test_every_xml_is_tested(self):
+        self.assertEqual({name[:-4] for name in os.listdir(XMLS)}, set(STEMS))
+
+    def test_every_proxy_is_there_and_documented(self):
+        for stem in STEMS:
+            with self.subTest(stem):
+                proxy = new_proxy(stem)
+                self.assertIsNotNone(proxy)
+                self.assertEqual(proxy.GetVTKClassName(), "vtkKalos" + stem)
+                proxy.UpdateVTKObjects()
+                self.assertTrue(proxy.GetClientSideObject().IsA("vtkKalos" + stem))
+                self.assertGreater(len(proxy.GetDocumentation().GetDescription()), 40)
+                properties = proxy.NewPropertyIterator()
+                while not properties.IsAtEnd():
+                    documentation = properties.GetProperty().GetDocumentation()
+                    self.assertTrue(documentation and documentation.GetDescription(), properties.GetKey())
+                    properties.Next()
+
+    def test_every_command_is_a_method(self):
+        for stem in STEMS:
+            proxy = new_proxy(stem)
+            proxy.UpdateVTKObjects()
+            with open(os.path.join(XMLS, stem + ".xml"), encoding="utf-8") as file:
+                commands = set(re.findall(r'command="(\w+)"', file.read()))
+            for command in commands:
+                self.assertTrue(hasattr(proxy.GetClientSideObject(), command), f"{stem}.{command}")
+
+    def test_defaults_are_those_of_the_classes(self):
+        for stem in STEMS:
+            proxy = new_proxy(stem)
+            untouched = type(proxy.GetClientSideObject() or self.updated(proxy))()
+            proxy.UpdateVTKObjects()
+            with open(os.path.join(XMLS, stem + ".xml"), encoding="utf-8") as file:
+                names = re.findall(r'command="Set(\w+)"', file.read())
+            for name in set(names) - {"InputConnection"}:
+                get = "Get" + name
+                self.assertEqual(getattr(proxy.GetClientSideObject(), get)() or None, getattr(untouched, get)() or None,
+                                 f"{stem}.{name}")
+
+    @staticmethod
+    def updated(proxy):
+        proxy.UpdateVTKObjects()
+        return proxy.GetClientSideObject()
+
+    def test_all_are_in_the_menu_category(self):
+        for stem, group in STEMS.items():
+            with open(os.path.join(XMLS, stem + ".xml"), encoding="utf-8") as file:
+                text = file.read()
+            self.assertIn("WriterFactory" if group == "writers" else 'ShowInMenu category="Kalos"', text, stem)
+
+    def test_scene_lux_colours_and_exr(self):
+        scene = pv.OpenDataFile(os.path.join(SOURCE, "data", "cornell", "cornell.json"))
+        self.assertEqual(scene.GetXMLName(), "KalosSceneReader")
+        surfaces, luminaires, receivers = (pv.OutputPort(scene, i) for i in range(3))
+        lux = pv.KalosIlluminance(Receivers=receivers, Surfaces=surfaces, Luminaires=luminaires, Trajectories=64)
+        colors = pv.KalosFalseColor(Input=lux, ArrayName="Illuminance")
+        colors.UpdatePipeline()
+        self.assertIn("FalseColor", colors.CellData.keys())
+        view = pv.KalosLuminanceImage(Surfaces=surfaces, Luminaires=luminaires, Trajectories=64, Resolution=[8, 6],
+                                      Positionm=[2.5, -6, 2.5], Targetm=[2.5, 2.5, 2.5])
+        view.UpdatePipeline()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "front.exr")
+            pv.SaveData(path, proxy=view)
+            image = pv.OpenDataFile(path)
+            self.assertEqual(image.GetXMLName(), "KalosEXRReader")
+            image.UpdatePipeline()
+            self.assertIn("Luminance", image.PointData.keys())
+            self.assertGreater(image.PointData["Luminance"].GetRange()[1], 0)
+
+
+unittest.main(argv=sys.argv[:1])
