@@ -45,7 +45,8 @@ double DirectLight::pointIlluminance(const Luminaire& luminaire, const Sensor& s
 
 double DirectLight::areaIlluminance(const Area& area, const Sensor& sensor) const
 {
-  if (!(dot(sensor.position - area.corner[0], area.normal) > 0))
+  // A sensor in the emitter's plane, to rounding, sees nothing of it.
+  if (!(dot(sensor.position - area.corner[0], area.normal) > 1e-9 * this->Lit.size()))
     return 0;
   return polygonFormFactor(sensor.position, sensor.normal, area.corner, area.count);
 }

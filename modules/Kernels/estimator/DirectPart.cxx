@@ -33,7 +33,8 @@ DirectPart::DirectPart(const Scene& scene, const Receivers& receivers, std::uint
   this->Sensors.reserve(receivers.points.size());
   for (std::size_t i = 0; i < receivers.points.size(); ++i)
   {
-    Sensor sensor(scene, receivers.points[i] - scene.origin(), receivers.normals[i]);
+    const Vec3& n = receivers.normals[i];
+    Sensor sensor(scene, scene.settle(receivers.points[i] - scene.origin(), n), n);
     if (i < receivers.brdfs.size() && receivers.brdfs[i])
     {
       sensor.brdf = receivers.brdfs[i];

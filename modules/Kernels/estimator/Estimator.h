@@ -28,6 +28,9 @@ public:
   /// estimator/Trust.h.
   virtual bool trusts(std::size_t /*receiver*/, long long /*trajectories*/) const { return true; }
 
+  /// Whether Tally::correction() means something.
+  virtual bool altersKernel() const { return false; }
+
   /// What the method found it need not model, and why.
   virtual std::vector<AuditLine> audit() const = 0;
 };

@@ -24,6 +24,7 @@ public:
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
   bool trusts(std::size_t receiver, long long trajectories) const override;
+  bool altersKernel() const override { return this->Alteration != nullptr; }
   std::vector<AuditLine> audit() const override;
 
 private:

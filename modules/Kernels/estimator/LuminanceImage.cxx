@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "estimator/DirectLight.h"
 #include "estimator/Solver.h"
 
 namespace kalos
@@ -50,58 +51,118 @@ private:
   int Width, Height;
   double HalfHeight;
 };
+
+// What the camera sees, as receivers with the weight of their pixel.
+class LinesOfSight
+{
+public:
+  LinesOfSight(const Scene& scene, const Camera& camera, LuminanceResult& image)
+      : Lit(scene), Image(image), Luminaires(scene, false, false)
+  {
+    const Lens lens(camera);
+    const Vec3 eye = camera.position - scene.origin();
+    for (std::size_t i = 0; i < image.luminance.size(); ++i)
+      this->follow(i, eye, lens.direction(static_cast<int>(i % camera.width), static_cast<int>(i / camera.width)));
+  }
+
+  const Receivers& receivers() const { return this->Seen; }
+
+  // Reflects the estimates at the receivers into their pixels.
+  void reflect(const Result& estimate)
+  {
+    const int bands = this->Lit.bands();
+    for (std::size_t k = 0; k < this->Pixel.size(); ++k)
+    {
+      Bands luminance{};
+      for (int b = 0; b < bands; ++b)
+        luminance[b] = this->Weight[k][b] / pi * estimate.illuminanceBands[k * bands + b];
+      for (int b = 0; b < bands; ++b)
+        this->Image.luminanceBands[this->Pixel[k] * bands + b] += luminance[b];
+      // Bands and mirror images share the trajectories: they fluctuate together.
+      if (estimate.illuminance[k] > 0)
+        this->Image.standardError[this->Pixel[k]] +=
+            estimate.standardError[k] / estimate.illuminance[k] * photometric(luminance, bands);
+    }
+    for (std::size_t i = 0; i < this->Image.luminance.size(); ++i)
+      this->Image.luminance[i] = photometric(&this->Image.luminanceBands[i * bands], bands);
+  }
+
+private:
+  static constexpr int mirrorsFollowed = 8;  // further ones are met by gather rays
+
+  void follow(std::size_t pixel, const Vec3& eye, Vec3 direction)
+  {
+    const int bands = this->Lit.bands();
+    SurfacePoint y = this->Lit.trace(eye, direction);
+    double weight = 1;
+    for (int mirrors = 0; y.valid; ++mirrors)
+    {
+      const Material& material = this->Lit.material(y.triangle);
+      if (y.front)
+        for (int b = 0; b < bands; ++b)
+          this->Image.luminanceBands[pixel * bands + b] += weight * material.exitance[b] / pi;
+      const bool last = material.mirror > 0 && mirrors == mirrorsFollowed;
+      this->add(pixel, y, -direction, weight, last);
+      if (!(material.mirror > 0) || last)
+        return;
+      weight *= material.mirror;
+      direction = reflected(-direction, y.normal);
+      const Vec3 from = this->Lit.offset(y.position, y.normal);
+      y = this->Lit.trace(from, direction);
+      Bands seen{};
+      this->Luminaires.addSeen(from, direction, y, uniformBands(weight / pi), seen);
+      for (int b = 0; b < bands; ++b)
+        this->Image.luminanceBands[pixel * bands + b] += seen[b];
+    }
+  }
+
+  void add(std::size_t pixel, const SurfacePoint& y, const Vec3& outgoing, double weight, bool withMirror)
+  {
+    const Brdf& brdf = this->Lit.brdf(y.triangle);
+    const bool lambertian = brdf.material().specular == 0 && !withMirror;
+    Bands bands = uniformBands(weight);
+    if (lambertian)
+      for (int b = 0; b < this->Lit.bands(); ++b)
+        bands[b] *= brdf.material().reflectance[b];
+    if (!(photometric(bands, this->Lit.bands()) > 0))
+      return;
+    this->Seen.points.push_back(y.position + this->Lit.origin());
+    this->Seen.normals.push_back(y.normal);
+    this->Seen.brdfs.push_back(lambertian ? nullptr : &brdf);
+    this->Seen.outgoing.push_back(outgoing);
+    this->Seen.followsMirror.push_back(withMirror);
+    this->Pixel.push_back(pixel);
+    this->Weight.push_back(bands);
+  }
+
+  const Scene& Lit;
+  LuminanceResult& Image;
+  DirectLight Luminaires;
+  Receivers Seen;
+  std::vector<std::size_t> Pixel;  // of each receiver
+  std::vector<Bands> Weight;       // from pi times its estimate to the pixel's luminance
+};
 }  // namespace
 
 LuminanceResult solveLuminance(const Scene& scene, const Camera& camera, const Settings& settings,
                                const Progress& progress)
 {
+  constexpr long long defaultTrajectories = 1024;
   check(camera);
-  const int bands = scene.bands();
   const std::size_t pixels = static_cast<std::size_t>(camera.width) * camera.height;
   LuminanceResult image;
-  image.bands = bands;
+  image.bands = scene.bands();
   image.luminance.assign(pixels, 0);
   image.standardError.assign(pixels, 0);
-  image.luminanceBands.assign(pixels * bands, 0);
+  image.luminanceBands.assign(pixels * image.bands, 0);
 
-  // Find what each pixel sees.
-  Receivers seen;
-  std::vector<std::size_t> pixelOf;
-  std::vector<std::uint32_t> triangleOf;
-  const Lens lens(camera);
-  for (std::size_t i = 0; i < pixels; ++i)
-  {
-    const Vec3 direction = lens.direction(static_cast<int>(i % camera.width), static_cast<int>(i / camera.width));
-    const SurfacePoint y = scene.trace(camera.position - scene.origin(), direction);
-    if (!y.valid)
-      continue;
-    seen.points.push_back(y.position + scene.origin());
-    seen.normals.push_back(y.normal);
-    pixelOf.push_back(i);
-    triangleOf.push_back(y.triangle);
-    if (y.front)
-      for (int b = 0; b < bands; ++b)
-        image.luminanceBands[i * bands + b] = scene.material(y.triangle).exitance[b] / pi;
-  }
-
-  // Estimate the illuminance there, and reflect it towards the camera.
-  image.estimate = solve(scene, seen, settings, progress);
-  if (image.estimate.aborted)
-    return image;
-  for (std::size_t k = 0; k < pixelOf.size(); ++k)
-  {
-    const std::size_t i = pixelOf[k];
-    const Bands& reflectance = scene.material(triangleOf[k]).reflectance;
-    for (int b = 0; b < bands; ++b)
-      image.luminanceBands[i * bands + b] += reflectance[b] / pi * image.estimate.illuminanceBands[k * bands + b];
-    const double mean = image.estimate.illuminance[k];
-    const double share = mean > 0 ? image.estimate.standardError[k] / mean : 0;
-    double reflected = 0;
-    for (int b = 0; b < bands; ++b)
-      reflected += bandShare(b, bands) * reflectance[b] / pi * image.estimate.illuminanceBands[k * bands + b];
-    image.standardError[i] = share * reflected;  // bands share the trajectories, so they fluctuate together
-    image.luminance[i] = photometric(&image.luminanceBands[i * bands], bands);
-  }
+  LinesOfSight lines(scene, camera, image);
+  Settings effort = settings;
+  if (effort.trajectories == 0 && effort.relativeError == 0 && effort.seconds == 0)
+    effort.trajectories = defaultTrajectories;
+  image.estimate = solve(scene, lines.receivers(), effort, progress);
+  if (!image.estimate.aborted)
+    lines.reflect(image.estimate);
   return image;
 }
 }  // namespace kalos

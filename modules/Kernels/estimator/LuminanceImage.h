@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Luminance seen by a camera, (E2) for Lambertian surfaces: L = M0/pi + rho E(y)/pi with one estimate of E per pixel.
+// Luminance seen by a camera, the double local estimate (E2): L = M0/pi + sum f_r(y) f_r(y_i) cos cos' w_i V / d^2 at
+// the first surface point y on the line of sight, mirrors followed. For a Lambertian y the inner sum is rho E(y)/pi; a
+// glossy y weighs it by its BRDF, and with method `compensated` its gather rays are drawn from the BRDF, balanced
+// against the vertices.
 #ifndef kalos_estimator_LuminanceImage_h
 #define kalos_estimator_LuminanceImage_h
 
@@ -25,7 +28,8 @@ struct LuminanceResult
   Result estimate;                     ///< of the illuminance behind it: trajectories, times, audit, aborted
 };
 
-/// Throws std::invalid_argument for a camera without meaning and for what solve() refuses.
+/// Without a goal and a limit it runs 1024 trajectories per pixel. Luminaires have no body: they are seen in mirrors
+/// only. Throws std::invalid_argument for a camera without meaning and for what solve() refuses.
 LuminanceResult solveLuminance(const Scene& scene, const Camera& camera, const Settings& settings,
                                const Progress& progress = {});
 }  // namespace kalos

@@ -136,7 +136,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
       done += count;
   }
   result.aborted = !running;
-  result.alteredKernel = makeAlteration(scene, receivers, settings) != nullptr;
+  result.alteredKernel = estimator->altersKernel();
   result.trajectories = done * replicates;
   if (running)
   {

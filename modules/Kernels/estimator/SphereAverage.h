@@ -6,8 +6,8 @@
 // 14-19), and scores W cos(theta) cos(theta') / pi. The printed text leaves five choices open; here they are:
 //  (a) A point counts when |r - r_m| < epsilon. (The paper prints the distance to the vertex instead.)
 //  (b) The published weight is C/V of the *enclosing* region: W = 3/(3 d^2 + epsilon^2) for d > epsilon, else
-//      3/(d + epsilon)^2. With re-drawing until a point counts it is low by a factor down to about 0.49; with rejects
-//      scored as zero by 1/(1 + d/epsilon)^3 for d < epsilon.
+//      3/(d + epsilon)^2. With re-drawing until a point counts it is low by a factor of 0.49 at d = epsilon/2, at worst
+//      0.41; with rejects scored as zero by 1/(1 + d/epsilon)^3 for d < epsilon.
 //  (c) The exact weight is C_ball/V_ball when re-drawing, C_ball = 2 pi epsilon + pi (epsilon^2 - d^2)/d
 //      ln|(epsilon + d)/(epsilon - d)|, and C_enclosing/V_ball with rejects scored as zero.
 //  (d) A vertex has the incident weight times one reflectance; (9) and (10) print one too many.

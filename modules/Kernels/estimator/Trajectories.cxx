@@ -12,8 +12,8 @@ void VertexPool::append(const VertexPool& other)
 
 namespace
 {
-// Walks one trajectory. `onStart(sample)`, `onSegment(from, direction, point, weight, first)` and
-// `onCollision(point, towardsLight, weight)` see what happens.
+// Walks one trajectory. `onStart(sample)`, `onSegment(from, direction, point, weight, first)`, with `from` off its
+// surface, and `onCollision(point, towardsLight, weight)` see what happens.
 template <class OnStart, class OnSegment, class OnCollision>
 void walk(const Scene& scene, const Emission& emission, RandomStream random, OnStart onStart, OnSegment onSegment,
           OnCollision onCollision)
@@ -21,8 +21,9 @@ void walk(const Scene& scene, const Emission& emission, RandomStream random, OnS
   const EmissionSample start = emission.sample(random);
   onStart(start);
   Bands weight = start.weight;
-  Vec3 direction = start.direction, from = start.position;
-  SurfacePoint point = start.onSurface ? scene.trace(from, start.normal, direction) : scene.trace(from, direction);
+  Vec3 direction = start.direction;
+  Vec3 from = start.onSurface ? scene.offset(start.position, start.normal) : start.position;
+  SurfacePoint point = scene.trace(from, direction);
   for (bool first = true;; first = false)
   {
     onSegment(from, direction, point, weight, first);
@@ -38,8 +39,8 @@ void walk(const Scene& scene, const Emission& emission, RandomStream random, OnS
     for (int b = 0; b < scene.bands(); ++b)
       weight[b] *= next.weight[b];
     direction = next.direction;
-    from = point.position;
-    point = scene.trace(from, point.normal, direction);
+    from = scene.offset(point.position, point.normal);
+    point = scene.trace(from, direction);
   }
 }
 }  // namespace

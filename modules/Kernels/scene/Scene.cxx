@@ -110,4 +110,37 @@ SurfacePoint Scene::trace(const Vec3& p, const Vec3& direction) const
   point.normal = point.front ? n : -n;
   return point;
 }
+namespace
+{
+// Whether p, within `reach` of the triangle's plane, lies over the triangle or within `reach` of its border.
+bool over(const Vec3& p, const Vec3 corners[3], const Vec3& normal, double reach)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const Vec3 edge = corners[(i + 1) % 3] - corners[i];
+    if (dot(cross(edge, p - corners[i]), normal) < -reach * length(edge))
+      return false;
+  }
+  return true;
+}
+}  // namespace
+
+Vec3 Scene::settle(const Vec3& p, const Vec3& n) const
+{
+  const double reach = length(this->offset(p, n) - p);
+  std::vector<std::uint32_t> touched;
+  this->Rays.nearby(p, 2 * reach, [&](std::uint32_t t) { touched.push_back(t); });
+  std::sort(touched.begin(), touched.end());
+  Vec3 settled = p;
+  for (const std::uint32_t t : touched)
+  {
+    const Vec3 corners[3] = {this->corner(t, 0), this->corner(t, 1), this->corner(t, 2)};
+    const Vec3& side = this->Normals[t];
+    const double height = dot(settled - corners[0], side);
+    const bool own = std::abs(dot(side, n)) > 0.999;  // the surface that the sensor lies on
+    if (!own && std::abs(height) < reach && over(p, corners, side, reach))
+      settled += (reach - height) * side;
+  }
+  return settled;
+}
 }  // namespace kalos

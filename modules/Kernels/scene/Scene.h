@@ -65,6 +65,10 @@ public:
   /// Moves p off its surface: by a few units in the last place of single precision at p.
   Vec3 offset(const Vec3& p, const Vec3& n) const { return p + (offsetScale * (maxAbs(p) + 0.05 * this->Size)) * n; }
 
+  /// A sensor at p with unit normal n that lies exactly on an edge, in a corner or at the foot of an object belongs to
+  /// the front side of every other surface it touches: moves it there, by at most a few offsets.
+  Vec3 settle(const Vec3& p, const Vec3& n) const;
+
 private:
   static constexpr double offsetScale = 0x1.0p-20;
 
