@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the scene files beside itself: Sobolev's problem, an isotropic source of 1 lm between two diffuse planes 1 m apart.
 
-Squares of 40 m stand for the infinite planes; what they cut off is less than 1e-5 of the value (kalos.truths).
+Squares of 40 m stand for the infinite planes; what they cut off is below 1e-3 of the value (tests/analytic/test_truths.py).
 """
 import json
 from pathlib import Path

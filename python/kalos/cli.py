@@ -58,6 +58,8 @@ def parser():
     solve.set_defaults(run=run_solve)
 
     validate = commands.add_parser("validate", help="hold every method against scenes with a closed-form answer")
+    validate.add_argument("--method", choices=METHODS, action="append", metavar="METHOD",
+                          help="only this method; may be repeated")
     validate.add_argument("--trajectories", metavar="N", type=COUNT, help="per case, instead of the case's own number")
     validate.add_argument("--seed", metavar="K", type=SEED, default=1, help="seed of the random numbers (%(default)s)")
     validate.add_argument("--data", metavar="DIR", help="folder of the scenes, if not the one of the source tree")
@@ -92,7 +94,7 @@ def run_solve(arguments):
 def run_validate(arguments):
     from kalos.validate import validate
 
-    return 0 if validate(arguments.data, arguments.trajectories, arguments.seed, say=print) else FAILED
+    return 0 if validate(arguments.data, arguments.method, arguments.trajectories, arguments.seed) else FAILED
 
 
 def main(arguments=None):

@@ -6,6 +6,7 @@ comes from solves with different seeds.
 """
 import numpy as np
 import pytest
+from estimates import lamp, scene, solve
 from scipy import stats
 
 from kalos import truths
@@ -63,17 +64,33 @@ def mean_indirect(sets):
     return np.average(wall.illuminance - wall.direct, weights=wall.weights)
 
 
-@pytest.mark.parametrize("level", [2, 3])
-def test_sphere_of_triangles(level):
-    """The balance over the polyhedron's own area; the estimates at centres of triangles stand for their means."""
-    wall, = solve_receivers(DATA / "sphere" / f"sphere-{level}.json", Options(trajectories=32))
-    values = means(f"sphere/sphere-{level}.json", mean_indirect, range(200, 216), trajectories=2000)
-    check(values, truths.mean_indirect(1000, wall.weights.sum(), 0.5), 0.003)
+@pytest.mark.parametrize("method, level, trajectories, precision", [
+    ("local", 2, 4000, 0.006), ("direct", 2, 64000, 0.002), ("direct", 3, 64000, 0.002)])
+def test_sphere_of_triangles(method, level, trajectories, precision):
+    """The balance over the polyhedron's own area; for local, centres of triangles stand for their means."""
+    scene = f"sphere/sphere-{level}.json"
+    wall, = solve_receivers(DATA / scene, Options(trajectories=32))
+    values = means(scene, mean_indirect, range(200, 216), trajectories=trajectories, method=method)
+    check(values, truths.mean_indirect(1000, wall.weights.sum(), 0.5), precision)
 
 
 def test_sphere_nears_the_truth_as_the_mesh_is_refined():
+    """Four times the triangles, a quarter of the error: 1.9 % and 0.5 %, each known to 0.1 %."""
     truth = truths.sphere_indirect(1000, 1, 0.5)
-    errors = [abs(means(f"sphere/sphere-{level}.json", mean_indirect, range(300, 308), trajectories=8000).mean() / truth - 1)
-              for level in (2, 3)]
+    coarse, fine = (means(f"sphere/sphere-{level}.json", mean_indirect, range(300, 308), trajectories=200000, method="direct")
+                    for level in (2, 3))
+    errors = [abs(values.mean() / truth - 1) for values in (coarse, fine)]
     print(f"relative errors {errors}")
-    assert errors[1] < errors[0] / 2 < 0.01  # second order: a quarter, with room for noise of 0.1 %
+    assert errors[1] < errors[0] / 2 < 0.02
+
+
+@pytest.mark.parametrize("method", ["local", "direct"])
+def test_a_closed_box_keeps_its_light(tmp_path, method):
+    """A source inside a box, turned so that no face is exact in floating point: the outside of the faces stays dark."""
+    box = {"name": "box", "box": {"center": [3.3, 1.7, 0.75], "size": [1.5, 1.5, 1.5], "rotation_z_deg": -17},
+           "material": "grey"}
+    probes = np.array([(3.3, 1.7, 1.5, 0, 0, 1), (3.3, 1.7, 1.5, 0, 0, -1)])
+    outside, inside = solve(tmp_path, scene([box], [lamp((3.3, 1.7, 0.75), distribution="isotropic")]), probes,
+                            method=method, epsilon=0.25).illuminance
+    assert inside > 1000
+    assert outside <= 1e-6 * inside

@@ -5,7 +5,7 @@ from kalos import truths
 
 
 def test_passes(command):
-    status, out, _ = command("validate")
+    status, out, _ = command("validate", "--method", "local")
     lines = out.splitlines()
     assert lines[0].startswith("seed 1; chance that a sound method fails a case: 0.0001")
     for case in kalos.validate.CASES:
@@ -14,14 +14,14 @@ def test_passes(command):
 
 
 def test_fails_when_too_noisy(command):
-    status, out, _ = command("validate", "--trajectories", 64)
+    status, out, _ = command("validate", "--method", "local", "--trajectories", 64)
     assert status == 1 and "FAIL" in out
 
 
 def test_fails_when_the_truth_is_another(command, monkeypatch):
     wrong = kalos.validate.Case("wrong", "cie171/5-2.json", lambda p, n: 1.001 * truths.cie171_point(p), 1000, 1e-3)
     monkeypatch.setattr(kalos.validate, "CASES", [*kalos.validate.CASES[:0], *[wrong] * 5])
-    status, out, _ = command("validate")
+    status, out, _ = command("validate", "--method", "local")
     assert status == 1 and "FAIL" in out
 
 
