@@ -102,8 +102,9 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
 void vtkKalosLuminanceImage::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  auto print = [&](const char* name, const double v[3])
-  { os << indent << name << ": " << v[0] << " " << v[1] << " " << v[2] << "\n"; };
+  auto print = [&](const char* name, const double v[3]) {
+    os << indent << name << ": " << v[0] << " " << v[1] << " " << v[2] << "\n";
+  };
   print("Position", this->Position);
   print("Target", this->Target);
   print("Up", this->Up);

@@ -148,8 +148,7 @@ vtkSmartPointer<vtkImageData> ReadImage(const char* path)
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(size.Width, size.Height, 1);
   vtkPointData* data = image->GetPointData();
-  const auto add = [&](const char* name, const std::vector<const char*>& channels)
-  {
+  const auto add = [&](const char* name, const std::vector<const char*>& channels) {
     auto array = ReadArray(file, name, channels);
     Multiply(array, unit);
     data->AddArray(array);

@@ -59,12 +59,10 @@ double Distance(const Lab& a, const Lab& b)
 Rgb Encode(const Rgb& linear)
 {
   Rgb encoded{};
-  std::transform(linear.begin(), linear.end(), encoded.begin(),
-                 [](double c)
-                 {
-                   c = std::clamp(c, 0.0, 1.0);
-                   return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-                 });
+  std::transform(linear.begin(), linear.end(), encoded.begin(), [](double c) {
+    c = std::clamp(c, 0.0, 1.0);
+    return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+  });
   return encoded;
 }
 

@@ -34,8 +34,9 @@ inline void addBox(kalos::SceneDescription& scene, const Vec3& low, const Vec3& 
                    bool inwards)
 {
   const Vec3 x{size.x, 0, 0}, y{0, size.y, 0}, z{0, 0, size.z}, high = low + size;
-  auto face = [&](const Vec3& origin, const Vec3& u, const Vec3& v)
-  { inwards ? addQuad(scene, origin, u, v, material) : addQuad(scene, origin, v, u, material); };
+  auto face = [&](const Vec3& origin, const Vec3& u, const Vec3& v) {
+    inwards ? addQuad(scene, origin, u, v, material) : addQuad(scene, origin, v, u, material);
+  };
   face(low, x, y);
   face(low, y, z);
   face(low, z, x);

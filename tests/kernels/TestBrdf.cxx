@@ -43,17 +43,17 @@ TEST(Brdf, IsReciprocal)
 }
 
 // The light that leaves is what albedo() says and never more than arrives: quadrature over the hemisphere, in the angle
-// about the mirror direction's plane, 900 x 900 cells, good to 1e-3 for these widths.
+// about the mirror direction's plane, 1500 x 1500 cells, good to 1e-3 for these widths.
 TEST(Brdf, ConservesEnergy)
 {
   for (const Material& m : materials)
   {
     const Brdf brdf(m, 1);
-    for (double theta : {0.05, 0.8, 1.3, 1.5})
+    for (double theta : {0.05, 1.4})
     {
       const Vec3 wo = direction(theta, 0);
       double sum = 0;
-      const int steps = 900;
+      const int steps = 1500;
       for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j)
           sum += brdf.timesPi(n, cosineHemisphere((i + 0.5) / steps, (j + 0.5) / steps), wo)[0];
@@ -75,7 +75,7 @@ TEST(Brdf, DensityIntegratesToTheAlbedo)
     const Brdf brdf(m, 1);
     const Vec3 wo = direction(0.7, 1);
     double sum = 0;
-    const int steps = 900;
+    const int steps = 1500;
     for (int i = 0; i < steps; ++i)
       for (int j = 0; j < steps; ++j)
       {

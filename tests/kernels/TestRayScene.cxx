@@ -87,8 +87,7 @@ TEST(RayScene, CrossingsFindEveryTriangle)
 
 TEST(Scene, RefusesWhatItCanNotModel)
 {
-  auto message = [](SceneDescription d) -> std::string
-  {
+  auto message = [](SceneDescription d) -> std::string {
     try
     {
       const Scene scene(std::move(d));

@@ -181,13 +181,11 @@ TEST(Solver, AbortsWhenAskedTo)
   Settings s;
   s.seconds = 60;
   int calls = 0;
-  const Result result = solve(scene, floorPoints(), s,
-                              [&](double f)
-                              {
-                                EXPECT_GE(f, 0);
-                                EXPECT_LE(f, 1);
-                                return ++calls < 3;
-                              });
+  const Result result = solve(scene, floorPoints(), s, [&](double f) {
+    EXPECT_GE(f, 0);
+    EXPECT_LE(f, 1);
+    return ++calls < 3;
+  });
   EXPECT_TRUE(result.aborted);
   EXPECT_TRUE(result.illuminance.empty());
   EXPECT_LT(result.seconds, 5);
@@ -196,8 +194,7 @@ TEST(Solver, AbortsWhenAskedTo)
 TEST(Solver, RefusesSettingsWithoutMeaning)
 {
   const Scene scene(rooms::litRoom(0.5));
-  auto message = [&](auto change) -> std::string
-  {
+  auto message = [&](auto change) -> std::string {
     Settings s;
     Receivers r = floorPoints();
     change(s, r);
@@ -223,10 +220,9 @@ TEST(Solver, RefusesSettingsWithoutMeaning)
   EXPECT_EQ(message([](Settings&, Receivers& r) { r.normals.pop_back(); }),
             "receivers: one normal per point is expected");
   EXPECT_EQ(message([](Settings&, Receivers& r) { r.points[2].x = NAN; }), "receiver 2: coordinates must be finite");
-  EXPECT_EQ(message(
-                [](Settings&, Receivers& r) {
-                  r.normals[1] = {0, 0, 2};
-                }),
+  EXPECT_EQ(message([](Settings&, Receivers& r) {
+              r.normals[1] = {0, 0, 2};
+            }),
             "receiver 1: its normal must be a unit vector");
 }
 
@@ -251,8 +247,7 @@ TEST(LuminanceImage, Furnace)
 TEST(LuminanceImage, RefusesCamerasInsideOut)
 {
   const Scene scene(rooms::litRoom(0.5));
-  auto message = [&](auto change) -> std::string
-  {
+  auto message = [&](auto change) -> std::string {
     Camera camera;
     camera.position = {2.5, 0.3, 2.6};
     camera.target = {2.5, 5, 2.6};

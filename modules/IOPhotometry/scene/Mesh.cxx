@@ -76,8 +76,9 @@ void Mesh::Check(const std::string& file, const char* face) const
   {
     const std::int64_t begin = this->Begin(p);
     const std::int64_t end = this->Ends[p];
-    const auto fail = [&](const std::string& what)
-    { throw SceneError(file, face + (" " + std::to_string(p + 1)), what); };
+    const auto fail = [&](const std::string& what) {
+      throw SceneError(file, face + (" " + std::to_string(p + 1)), what);
+    };
     if (end - begin < 3)
     {
       fail(std::to_string(end - begin) + " corners; expected at least 3");

@@ -82,8 +82,7 @@ void UseOwnMaterials(Mesh& mesh, vtkPolyData* data, const std::string& path)
   vtkCellData* cells = data->GetCellData();
   vtkDataArray* reflectance = cells->GetArray(Reflectance);
   vtkDataArray* exitance = cells->GetArray(Exitance);
-  const auto scalar = [&](const char* name, vtkIdType cell, double absent)
-  {
+  const auto scalar = [&](const char* name, vtkIdType cell, double absent) {
     vtkDataArray* array = cells->GetArray(name);
     return array ? array->GetComponent(cell, 0) : absent;
   };

@@ -38,19 +38,16 @@ bool CompensatedEstimation::addRound(long long first, int count, Workers& worker
   const Round round{first, count, (count + trajectoriesPerRay - 1) / trajectoriesPerRay, pools};
 
   // A task owns its tile and replicate, so that no sum depends on the threads.
-  const bool scored = workers.forEach(tileCount(tally.receivers()) * replicates,
-                                      [&](std::size_t task)
-                                      {
-                                        const int replicate = static_cast<int>(task % replicates);
-                                        const std::size_t tile = task / replicates,
-                                                          end = std::min(tally.receivers(), (tile + 1) * tileSize);
-                                        for (std::size_t r = tile * tileSize; r < end; ++r)
-                                        {
-                                          this->scoreVertices(r, replicate, round, tally);
-                                          this->scoreGathered(r, replicate, round, tally);
-                                          this->Direct.score(r, replicate, first, count, tally);
-                                        }
-                                      });
+  const bool scored = workers.forEach(tileCount(tally.receivers()) * replicates, [&](std::size_t task) {
+    const int replicate = static_cast<int>(task % replicates);
+    const std::size_t tile = task / replicates, end = std::min(tally.receivers(), (tile + 1) * tileSize);
+    for (std::size_t r = tile * tileSize; r < end; ++r)
+    {
+      this->scoreVertices(r, replicate, round, tally);
+      this->scoreGathered(r, replicate, round, tally);
+      this->Direct.score(r, replicate, first, count, tally);
+    }
+  });
   this->RaysDone += round.rays;
   return scored;
 }
@@ -61,8 +58,7 @@ void CompensatedEstimation::scoreVertices(std::size_t r, int replicate, const Ro
   const PairLimits limits = this->Rays.limits(round.count, round.rays);
   RandomStream random = receiverStream(this->Wanted.seed, replicate, Purpose::Selection, r, round.first);
   PairBlock block;
-  auto score = [&](const VertexSet& set, double limit, double* sum)
-  {
+  auto score = [&](const VertexSet& set, double limit, double* sum) {
     for (std::size_t begin = 0; begin < set.size(); begin += PairBlock::capacity)
     {
       const auto count = static_cast<int>(std::min<std::size_t>(PairBlock::capacity, set.size() - begin));

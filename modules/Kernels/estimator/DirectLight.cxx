@@ -114,21 +114,20 @@ std::size_t draw(const std::vector<double>& cumulative, double u, double& share)
 }
 }  // namespace
 
-void DirectLight::sampleHidden(const Sensor& sensor, const View& view, RandomStream& random, Bands& hidden) const
+bool DirectLight::sampleAreas(const Sensor& sensor, const View& view, RandomStream& random, Bands& w) const
 {
+  w = {};
   const double u0 = random.next(), u1 = random.next(), u2 = random.next(), u3 = random.next();
-  if (!this->Shadows || view.cumulative.empty() || !(view.cumulative.back() > 0))
-    return;
+  if (view.cumulative.empty() || !(view.cumulative.back() > 0))
+    return false;
   double share;
   const Area& area = this->Areas[draw(view.cumulative, u0, share)];
   AreaSample sample;
   if (!(share > 0) || !this->sampleArea(area, sensor, u1, u2, u3, sample))
-    return;
-  // Where the ray is stopped before the emitter, its contribution is missing.
-  if (!this->Lit.rays().occluded(sensor.rayOrigin, sample.target))
-    return;
+    return false;
   for (int b = 0; b < this->Lit.bands(); ++b)
-    hidden[b] += area.exitance[b] / pi * sample.cosineOverDensity / share;
+    w[b] = area.exitance[b] / pi * sample.cosineOverDensity / share;
+  return !this->Shadows || !this->Lit.rays().occluded(sensor.rayOrigin, sample.target);
 }
 
 Bands DirectLight::sample(const Sensor& sensor, RandomStream& random, View& scratch) const

@@ -12,10 +12,11 @@ namespace kalos
 {
 /// Point luminaires: E = I(omega) cos(theta) V / d^2, deterministic.
 ///
-/// Rectangles and emitting triangles: E = sum_k M_k F_k - (hidden part). F_k is the closed form of Lambert's polygon;
-/// the hidden part is estimated by drawing an emitter in proportion to its luminous M_k F_k and a direction uniform in
-/// its solid angle, scored only where a shadow ray is stopped. So there is no spike where a lamp touches the receiver,
-/// no variance where nothing stands between, and no bias.
+/// Rectangles and emitting triangles: E = beta U + mean of w (V - beta). U = sum of M_k F_k is the closed form of
+/// Lambert's polygon, unshadowed; a sample draws an emitter in proportion to its luminous M_k F_k and a direction
+/// uniform in its solid angle, w is its unshadowed score and V its visibility; beta is the visible share, from samples
+/// used nowhere else. So there is no spike where a lamp touches the receiver, no variance where all or nothing is
+/// visible, and no bias.
 class DirectLight
 {
 public:
@@ -23,17 +24,18 @@ public:
   /// `shadows` false: nothing can occlude.
   DirectLight(const Scene& scene, bool withMeshes, bool shadows);
 
-  /// What one receiver can see of each area emitter, were nothing in between; reused for all shadow samples.
+  /// What one receiver sees of the emitters; reused for all its samples.
   struct View
   {
     Bands points{};                  ///< lx, of the point luminaires, shadows included
-    Bands areas{};                   ///< lx, unshadowed
+    Bands areas{};                   ///< U, lx, unshadowed
+    double visibleShare = 1;         ///< beta; to be set by the caller where surfaces may occlude
     std::vector<double> cumulative;  ///< luminous unshadowed lx up to and including area emitter i
   };
   void look(const Sensor& sensor, View& view) const;
 
-  /// One sample of the hidden part of View::areas, lx per band, added to `hidden`.
-  void sampleHidden(const Sensor& sensor, const View& view, RandomStream& random, Bands& hidden) const;
+  /// One sample of View::areas: w (lx per band), returns its visibility.
+  bool sampleAreas(const Sensor& sensor, const View& view, RandomStream& random, Bands& w) const;
 
   /// One sample of all direct light at the sensor, weighted by its response, with a single shadow ray: an emitter is
   /// drawn in proportion to what it would send to a Lambertian sensor, were nothing in between. Unbiased; for the

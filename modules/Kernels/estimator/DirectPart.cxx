@@ -48,20 +48,33 @@ DirectPart::DirectPart(const Scene& scene, const Receivers& receivers, std::uint
 bool DirectPart::prepare(Workers& workers, Tally& tally)
 {
   this->Views.resize(this->Sensors.size());
-  return workers.forEach(tileCount(this->Sensors.size()),
-                         [&](std::size_t tile)
-                         {
-                           const std::size_t end = std::min(this->Sensors.size(), (tile + 1) * tileSize);
-                           for (std::size_t r = tile * tileSize; r < end; ++r)
-                           {
-                             if (this->Sensors[r].brdf)
-                               continue;
-                             DirectLight::View& view = this->Views[r];
-                             this->Direct.look(this->Sensors[r], view);
-                             for (int b = 0; b < tally.bands(); ++b)
-                               tally.fixed(r)[b] = view.points[b] + view.areas[b];
-                           }
-                         });
+  return workers.forEach(tileCount(this->Sensors.size()), [&](std::size_t tile) {
+    const std::size_t end = std::min(this->Sensors.size(), (tile + 1) * tileSize);
+    for (std::size_t r = tile * tileSize; r < end; ++r)
+    {
+      if (this->Sensors[r].brdf)
+        continue;
+      DirectLight::View& view = this->Views[r];
+      this->Direct.look(this->Sensors[r], view);
+      this->measureVisibility(r);
+      for (int b = 0; b < tally.bands(); ++b)
+        tally.fixed(r)[b] = view.points[b] + view.visibleShare * view.areas[b];
+    }
+  });
+}
+
+void DirectPart::measureVisibility(std::size_t r)
+{
+  if (!this->Direct.hasAreas() || !this->shadows())
+    return;
+  constexpr int pilot = 16, pilotReplicate = 1 << 20;  // no estimate uses it
+  RandomStream random = receiverStream(this->Seed, pilotReplicate, Purpose::DirectLight, r, 0);
+  DirectLight::View& view = this->Views[r];
+  int visible = 0;
+  Bands w;
+  for (int s = 0; s < pilot; ++s)
+    visible += this->Direct.sampleAreas(this->Sensors[r], view, random, w);
+  view.visibleShare = static_cast<double>(visible) / pilot;
 }
 
 void DirectPart::score(std::size_t r, int replicate, long long first, int count, Tally& tally) const
@@ -84,10 +97,14 @@ void DirectPart::score(std::size_t r, int replicate, long long first, int count,
   }
   else
   {
+    const DirectLight::View& view = this->Views[r];
     for (int s = 0; s < samples; ++s)
-      this->Direct.sampleHidden(sensor, this->Views[r], random, sum);
-    for (int b = 0; b < tally.bands(); ++b)
-      sum[b] = -sum[b];
+    {
+      Bands w;
+      const double excess = this->Direct.sampleAreas(sensor, view, random, w) - view.visibleShare;
+      for (int b = 0; b < tally.bands(); ++b)
+        sum[b] += w[b] * excess;
+    }
   }
   for (int b = 0; b < tally.bands(); ++b)
   {
@@ -129,7 +146,7 @@ std::vector<AuditLine> DirectPart::audit() const
     lines.push_back({"point luminaires", std::to_string(points) + ", exact", "their direct light has a closed form"});
   if (static_cast<std::size_t>(points) < luminaires.size())
     lines.push_back({"luminous rectangles", std::to_string(luminaires.size() - points) + ", polygon formula",
-                     "only the hidden part is sampled"});
+                     "only what hides it is sampled"});
   if (points && mirror)
     lines.push_back({"point luminaires in mirrors", "not seen",
                      "a point has no area for a gather ray to meet; use a luminous rectangle"});
@@ -138,7 +155,7 @@ std::vector<AuditLine> DirectPart::audit() const
         {"emitting triangles",
          std::to_string(this->Found.emittingTriangles) +
              (this->ClosedForms ? ", polygon formula" : ", trajectory starts"),
-         this->ClosedForms ? "only the hidden part is sampled" : "too many for a closed form at every receiver"});
+         this->ClosedForms ? "only what hides it is sampled" : "too many for a closed form at every receiver"});
   return lines;
 }
 }  // namespace kalos

@@ -25,13 +25,15 @@ public:
   /// Fills the fixed part of the tally: all that does not fluctuate. Returns false when aborted.
   bool prepare(Workers& workers, Tally& tally);
 
-  /// Adds what fluctuates, for a round of trajectories [first, first + count): the hidden part of area emitters, or the
+  /// Adds what fluctuates, for a round of trajectories [first, first + count): the visibility of area emitters, or the
   /// whole direct light of a glossy receiver.
   void score(std::size_t receiver, int replicate, long long first, int count, Tally& tally) const;
 
   std::vector<AuditLine> audit() const;
 
 private:
+  void measureVisibility(std::size_t receiver);
+
   const Scene& Lit;
   std::uint64_t Seed;
   Audit Found;

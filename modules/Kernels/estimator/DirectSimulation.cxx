@@ -44,27 +44,22 @@ bool DirectSimulation::addRound(long long first, int count, Workers& workers, Ta
 {
   if (!(this->Source.totalFlux() > 0))
     return true;  // a dark scene
-  return workers.forEach(static_cast<std::size_t>(tally.replicates()),
-                         [&](std::size_t p)
-                         {
-                           const int replicate = static_cast<int>(p);
-                           std::vector<std::uint32_t> met;
-                           walkTrajectories(this->Lit, this->Source, this->Wanted.seed, replicate, first, count,
-                                            [&](const Segment& segment)
-                                            { this->score(segment, replicate, met, tally); });
-                         });
+  return workers.forEach(static_cast<std::size_t>(tally.replicates()), [&](std::size_t p) {
+    const int replicate = static_cast<int>(p);
+    std::vector<std::uint32_t> met;
+    walkTrajectories(this->Lit, this->Source, this->Wanted.seed, replicate, first, count,
+                     [&](const Segment& segment) { this->score(segment, replicate, met, tally); });
+  });
 }
 
 void DirectSimulation::score(const Segment& segment, int replicate, std::vector<std::uint32_t>& met, Tally& tally) const
 {
   met.clear();
-  this->Cells->crossings(segment.from, segment.to,
-                         [&](std::uint32_t triangle)
-                         {
-                           const std::uint32_t receiver = this->Owner[triangle];
-                           if (dot(segment.direction, this->Normals[receiver]) < 0)
-                             met.push_back(receiver);
-                         });
+  this->Cells->crossings(segment.from, segment.to, [&](std::uint32_t triangle) {
+    const std::uint32_t receiver = this->Owner[triangle];
+    if (dot(segment.direction, this->Normals[receiver]) < 0)
+      met.push_back(receiver);
+  });
   std::sort(met.begin(), met.end());
   met.erase(std::unique(met.begin(), met.end()), met.end());  // the diagonal of a cell belongs to it once
   for (const std::uint32_t receiver : met)

@@ -125,8 +125,7 @@ Bands Gathering::gather(const Sensor& sensor, const GatherPool& pool, const Star
     const double luminous = photometric(throughput, bands);
     if (!(luminous > 0))
       return sum;
-    auto survives = [&]
-    {
+    auto survives = [&] {
       if (luminous >= 1)
         return true;
       if (random.next() >= luminous)
@@ -175,8 +174,7 @@ void Gathering::scoreBlock(const Sensor& sensor, const VertexSet& set, double li
   const double weight = static_cast<double>(set.size()) / static_cast<double>(size);
   Bands scores{};
   PairBlock block;
-  auto score = [&](std::size_t from, std::size_t count)
-  {
+  auto score = [&](std::size_t from, std::size_t count) {
     formPairs(set, from, static_cast<int>(count), sensor, 1 / limit, block);
     if (this->Shadows)
       addPickedScores(this->Lit.rays(), set, sensor, block, 1, random.next(), scores.data());

@@ -11,8 +11,7 @@ namespace kalos
 {
 Neighbourhood neighbourhood(const Scene& scene, const Settings& settings)
 {
-  auto require = [&](double value, const char* name)
-  {
+  auto require = [&](double value, const char* name) {
     if (!(value >= 0 && value <= scene.size()))
       throw std::invalid_argument(std::string(name) + ": is " + std::to_string(value) +
                                   " m, expected 0 (automatic) up to the size of the scene, " +

@@ -23,13 +23,10 @@ bool LocalEstimation::prepare(Workers& workers, Tally& tally)
   if (!this->Alteration)
   {
     this->NearKernel.resize(sensors.size());
-    const bool probed = workers.forEach(tileCount(sensors.size()),
-                                        [&](std::size_t tile)
-                                        {
-                                          for (std::size_t r = tile * tileSize;
-                                               r < std::min(sensors.size(), (tile + 1) * tileSize); ++r)
-                                            this->NearKernel[r] = nearKernel(this->Lit, sensors[r]);
-                                        });
+    const bool probed = workers.forEach(tileCount(sensors.size()), [&](std::size_t tile) {
+      for (std::size_t r = tile * tileSize; r < std::min(sensors.size(), (tile + 1) * tileSize); ++r)
+        this->NearKernel[r] = nearKernel(this->Lit, sensors[r]);
+    });
     if (!probed)
       return false;
   }
@@ -47,30 +44,27 @@ bool LocalEstimation::addRound(long long first, int count, Workers& workers, Tal
     return false;
 
   // A task owns its tile and replicate, so that no sum depends on the threads.
-  return workers.forEach(tileCount(tally.receivers()) * replicates,
-                         [&](std::size_t task)
-                         {
-                           const int replicate = static_cast<int>(task % replicates);
-                           const std::size_t tile = task / replicates,
-                                             end = std::min(tally.receivers(), (tile + 1) * tileSize);
-                           for (std::size_t r = tile * tileSize; r < end; ++r)
-                           {
-                             double* total = tally.total(r, replicate);
-                             this->scoreVertices(r, replicate, pools[replicate].reflected, tally, total);
-                             this->scoreVertices(r, replicate, pools[replicate].glossy, tally, total);
-                             if (!this->Direct.exactMeshes(r))
-                             {
-                               Bands emitted{};
-                               this->scoreVertices(r, replicate, pools[replicate].emitted, tally, emitted.data());
-                               for (int b = 0; b < tally.bands(); ++b)
-                               {
-                                 total[b] += emitted[b];
-                                 tally.direct(r, replicate)[b] += emitted[b];
-                               }
-                             }
-                             this->Direct.score(r, replicate, first, count, tally);
-                           }
-                         });
+  return workers.forEach(tileCount(tally.receivers()) * replicates, [&](std::size_t task) {
+    const int replicate = static_cast<int>(task % replicates);
+    const std::size_t tile = task / replicates, end = std::min(tally.receivers(), (tile + 1) * tileSize);
+    for (std::size_t r = tile * tileSize; r < end; ++r)
+    {
+      double* total = tally.total(r, replicate);
+      this->scoreVertices(r, replicate, pools[replicate].reflected, tally, total);
+      this->scoreVertices(r, replicate, pools[replicate].glossy, tally, total);
+      if (!this->Direct.exactMeshes(r))
+      {
+        Bands emitted{};
+        this->scoreVertices(r, replicate, pools[replicate].emitted, tally, emitted.data());
+        for (int b = 0; b < tally.bands(); ++b)
+        {
+          total[b] += emitted[b];
+          tally.direct(r, replicate)[b] += emitted[b];
+        }
+      }
+      this->Direct.score(r, replicate, first, count, tally);
+    }
+  });
 }
 
 void LocalEstimation::scoreVertices(std::size_t r, int replicate, const VertexSet& vertices, Tally& tally,

@@ -12,8 +12,7 @@ namespace
 {
 void check(const Camera& c)
 {
-  auto require = [](bool condition, const char* message)
-  {
+  auto require = [](bool condition, const char* message) {
     if (!condition)
       throw std::invalid_argument(message);
   };

@@ -20,8 +20,7 @@ constexpr int firstRound = 64;      // with a goal: enough for a first standard 
 
 void check(const Receivers& receivers, const Settings& s)
 {
-  auto require = [](bool condition, const std::string& message)
-  {
+  auto require = [](bool condition, const std::string& message) {
     if (!condition)
       throw std::invalid_argument(message);
   };

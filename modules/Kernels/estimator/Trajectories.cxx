@@ -49,8 +49,7 @@ VertexPool traceTrajectories(const Scene& scene, const Emission& emission, std::
                              long long first, int count)
 {
   VertexPool pool(scene.bands());
-  auto keep = [&](const SurfacePoint& point, const Vec3& towardsLight, const Bands& weight)
-  {
+  auto keep = [&](const SurfacePoint& point, const Vec3& towardsLight, const Bands& weight) {
     const Material& material = scene.material(point.triangle);
     if (material.specular > 0)
       return pool.glossy.addGlossy(scene, point, towardsLight, weight);
@@ -64,8 +63,7 @@ VertexPool traceTrajectories(const Scene& scene, const Emission& emission, std::
   {
     walk(
         scene, emission, RandomStream(seed, replicate, Purpose::Trajectory, i),
-        [&](const EmissionSample& start)
-        {
+        [&](const EmissionSample& start) {
           if (start.onSurface)
             pool.emitted.add(scene, start.position, start.normal, start.weight);
         },
@@ -81,8 +79,8 @@ void walkTrajectories(const Scene& scene, const Emission& emission, std::uint64_
   {
     walk(
         scene, emission, RandomStream(seed, replicate, Purpose::Trajectory, i), [](auto&&...) {},
-        [&](const Vec3& from, const Vec3& direction, const SurfacePoint& point, const Bands& weight, bool firstSegment)
-        {
+        [&](const Vec3& from, const Vec3& direction, const SurfacePoint& point, const Bands& weight,
+            bool firstSegment) {
           Vec3 to = from + (4 * (scene.size() + length(from))) * direction;
           if (point.valid)
           {

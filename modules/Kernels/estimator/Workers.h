@@ -30,23 +30,20 @@ public:
     if (count == 0)
       return !this->Aborted;
     std::atomic<std::size_t> finished{0};
-    this->Arena.execute(
-        [&]
-        {
-          tbb::parallel_for(
-              tbb::blocked_range<std::size_t>(0, count, 1),
-              [&](const tbb::blocked_range<std::size_t>& range)
-              {
-                for (std::size_t i = range.begin(); i != range.end(); ++i)
-                {
-                  if (this->Aborted)
-                    return;
-                  body(i);
-                  this->tell(static_cast<double>(++finished) / static_cast<double>(count));
-                }
-              },
-              tbb::simple_partitioner());
-        });
+    this->Arena.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, count, 1),
+          [&](const tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t i = range.begin(); i != range.end(); ++i)
+            {
+              if (this->Aborted)
+                return;
+              body(i);
+              this->tell(static_cast<double>(++finished) / static_cast<double>(count));
+            }
+          },
+          tbb::simple_partitioner());
+    });
     return !this->Aborted;
   }
 

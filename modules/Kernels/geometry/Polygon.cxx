@@ -99,8 +99,7 @@ Vec3 SphericalTriangle::sample(double u1, double u2) const
   q = std::clamp(q, -1.0, 1.0);
 
   // The corner of that part on the side A-C, then a point on the arc from B to it.
-  auto orthogonal = [](const Vec3& x, const Vec3& y)
-  {
+  auto orthogonal = [](const Vec3& x, const Vec3& y) {
     const Vec3 w = x - dot(x, y) * y;
     const double l = length(w);
     return l > 0 ? (1 / l) * w : Vec3{};

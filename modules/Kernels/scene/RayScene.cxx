@@ -234,8 +234,7 @@ void RayScene::nearby(const Vec3& p, double radius, const std::function<void(std
   query.radius = static_cast<float>(radius);
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
-  auto note = [](RTCPointQueryFunctionArguments* found)
-  {
+  auto note = [](RTCPointQueryFunctionArguments* found) {
     (*static_cast<const std::function<void(std::uint32_t)>*>(found->userPtr))(found->primID);
     return false;  // the radius stays as it is
   };

@@ -47,8 +47,7 @@ Vec3 Scene::recentre(SceneDescription& d, double& size)
 {
   check(d);
   Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  auto include = [&](const Vec3& p)
-  {
+  auto include = [&](const Vec3& p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   };
