@@ -9,7 +9,13 @@
 
 namespace kalos
 {
-Neighbourhood neighbourhood(const Scene& scene, const Settings& settings)
+namespace
+{
+constexpr double ratio = 0.6;     // of epsilon to delta, as in the paper's Table 1
+constexpr double spacings = 1.4;  // mean distances of vertices in epsilon
+}  // namespace
+
+Neighbourhood neighbourhood(const Scene& scene, const Settings& settings, double vertices)
 {
   auto require = [&](double value, const char* name) {
     if (!(value >= 0 && value <= scene.size()))
@@ -19,14 +25,16 @@ Neighbourhood neighbourhood(const Scene& scene, const Settings& settings)
   };
   require(settings.delta, "delta");
   require(settings.epsilon, "epsilon");
-  const double delta = settings.delta > 0 ? settings.delta : scene.size() / 20;
-  return {delta, settings.epsilon > 0 ? settings.epsilon : 0.6 * delta};
+  const double largest = scene.size() / 4, spacing = vertices > 0 ? 1 / std::sqrt(vertices) : largest;
+  const double given = settings.epsilon > 0 ? settings.epsilon : ratio * settings.delta;
+  const double epsilon = given > 0 ? given : std::min(largest, spacings * spacing);
+  return {settings.delta > 0 ? settings.delta : epsilon / ratio, epsilon};
 }
 
 std::unique_ptr<KernelAlteration> makeAlteration(const Scene& scene, const Receivers& receivers,
-                                                 const Settings& settings)
+                                                 const Settings& settings, double vertices)
 {
-  const Neighbourhood near = neighbourhood(scene, settings);
+  const Neighbourhood near = neighbourhood(scene, settings, vertices);
   switch (settings.method)
   {
     case Method::SpherePublished:

@@ -7,13 +7,21 @@
 
 namespace kalos
 {
+namespace
+{
+double plannedTrajectories(const Settings& settings)
+{
+  return static_cast<double>(settings.trajectories ? settings.trajectories : defaultTrajectories);
+}
+}  // namespace
+
 LocalEstimation::LocalEstimation(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Lit(scene),
       Wanted(settings),
       Source(scene),
       Direct(scene, receivers, settings.seed),
-      Alteration(makeAlteration(scene, receivers, settings)),
-      CollisionsPerArea(measureDensity(scene, this->Source, settings.seed).reflected)
+      CollisionsPerArea(measureDensity(scene, this->Source, settings.seed).reflected),
+      Alteration(makeAlteration(scene, receivers, settings, this->CollisionsPerArea * plannedTrajectories(settings)))
 {
 }
 

@@ -35,9 +35,9 @@ private:
   Settings Wanted;
   Emission Source;
   DirectPart Direct;
+  double CollisionsPerArea;                      // per trajectory and m2
   std::unique_ptr<KernelAlteration> Alteration;  // null: the plain kernel
   std::vector<double> NearKernel;                // 1/m2, per receiver; with the plain kernel
-  double CollisionsPerArea = 0;                  // per trajectory and m2
 };
 }  // namespace kalos
 

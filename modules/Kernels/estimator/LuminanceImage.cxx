@@ -146,7 +146,7 @@ private:
 LuminanceResult solveLuminance(const Scene& scene, const Camera& camera, const Settings& settings,
                                const Progress& progress)
 {
-  constexpr long long defaultTrajectories = 1024;
+  constexpr long long trajectoriesPerPixel = 1024;
   check(camera);
   const std::size_t pixels = static_cast<std::size_t>(camera.width) * camera.height;
   LuminanceResult image;
@@ -158,7 +158,7 @@ LuminanceResult solveLuminance(const Scene& scene, const Camera& camera, const S
   LinesOfSight lines(scene, camera, image);
   Settings effort = settings;
   if (effort.trajectories == 0 && effort.relativeError == 0 && effort.seconds == 0)
-    effort.trajectories = defaultTrajectories;
+    effort.trajectories = trajectoriesPerPixel;
   image.estimate = solve(scene, lines.receivers(), effort, progress);
   if (!image.estimate.aborted)
     lines.reflect(image.estimate);

@@ -33,8 +33,12 @@ struct Settings
   std::uint64_t seed = 1;
   int threads = 0;     ///< 0: all processors
   double delta = 0;    ///< m, distance below which the sphere methods average; <= 0: automatic
-  double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; <= 0: automatic
+  double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; 0: automatic
 };
+
+/// Trajectories of a solve without a goal and a limit, and those that automatic lengths are made for where there is no
+/// limit.
+constexpr long long defaultTrajectories = 10000;
 
 class Brdf;
 

@@ -13,7 +13,6 @@ namespace kalos
 {
 namespace
 {
-constexpr long long defaultTrajectories = 10000;
 constexpr long long unlimited = std::numeric_limits<long long>::max() / 64;
 constexpr int largestRound = 8192;  // trajectories per replicate: bounds the memory of the vertices
 constexpr int firstRound = 64;      // with a goal: enough for a first standard error
@@ -107,7 +106,7 @@ double secondsSince(std::chrono::steady_clock::time_point start)
 Result solve(const Scene& scene, const Receivers& receivers, const Settings& settings, const Progress& progress)
 {
   check(receivers, settings);
-  neighbourhood(scene, settings);  // refuses delta and epsilon without meaning for every method alike
+  neighbourhood(scene, settings, 0);  // refuses delta and epsilon without meaning for every method alike
   const bool goal = settings.relativeError > 0 || settings.seconds > 0;
   const long long limit = settings.trajectories ? settings.trajectories : goal ? unlimited : defaultTrajectories;
   const int replicates = replicateCount(goal ? 32 : limit);
