@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The plain methods on every scene with a closed form, at points at least 0.25 m from concave edges.
+"""Every method on every scene with a closed form, at points at least 0.25 m from concave edges.
 
 A sound method fails a case with probability 1e-4 (kalos.validate.FALSE_ALARM).
 """
 import pytest
 
-from kalos.estimator import Options
 from kalos.validate import CASES, DATA, available_methods, examine
 
-METHODS = ("local", "direct")
+METHODS = available_methods(DATA, 1)
 
 
 def test_the_methods_are_there():
-    assert set(METHODS) <= set(available_methods(DATA, 1))
+    assert {"local", "direct"} <= set(METHODS)
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -21,8 +20,7 @@ def test_case(case, method):
     if method == "direct" and not case.cell:
         return  # means over cells are not points
     seed = 11
-    epsilon = case.cell if method == "direct" else None
-    verdict = examine(case, Options(method=method, trajectories=case.trajectories, seed=seed, epsilon=epsilon))
+    verdict = examine(case, case.options(method, seed=seed))
     print(f"seed {seed}: {verdict}")
     assert verdict.worst <= verdict.allowed
     assert verdict.error <= case.precision, "too noisy to tell anything"

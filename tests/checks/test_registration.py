@@ -9,7 +9,8 @@ TEST = re.compile(r"^(Test|Benchmark)\w*\.cxx$|^test_\w+\.py$")
 
 def unregistered(path):
     listing = path.parent / "CMakeLists.txt"
-    return not listing.is_file() or not re.search(rf"\b{path.stem}\b", listing.read_text())
+    name_or_subject = rf"\b({path.stem}|{path.stem.removeprefix('test_')})\b"
+    return not listing.is_file() or not re.search(name_or_subject, listing.read_text())
 
 
 def test_every_test_is_registered():

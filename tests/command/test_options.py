@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every message about a bad option or output folder: exit status 2 and one line, before anything is solved."""
+import shutil
+
 import pytest
 from conftest import launch, one_line
 
@@ -36,6 +38,7 @@ def test_method_that_is_not_built(scene, command, tmp_path):
     for method in ("compensated", "gathered", "sphere-published", "sphere-exact", "disc", "clamped"):
         status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", "--method", method)
         if status == 0:
+            shutil.rmtree(tmp_path / "out")
             continue  # it has been built
         assert status == 2 and one_line(error).startswith("method: ")
         assert not (tmp_path / "out").exists()
