@@ -17,7 +17,7 @@ CompensatedEstimation::CompensatedEstimation(const Scene& scene, const Receivers
       Wanted(settings),
       Source(scene),
       Direct(scene, receivers, settings.seed),
-      Rays(scene, measureDensity(scene, this->Source, settings.seed), this->Direct.shadows())
+      Rays(scene, this->Source, settings.seed, this->Direct.shadows())
 {
 }
 
@@ -31,9 +31,9 @@ bool CompensatedEstimation::addRound(long long first, int count, Workers& worker
   if (!(this->Source.totalFlux() > 0))
     return true;  // a dark scene
   const int replicates = tally.replicates();
-  const std::vector<VertexPool> pools =
+  std::vector<VertexPool> pools =
       traceRound(this->Lit, this->Source, this->Wanted.seed, replicates, first, count, workers);
-  if (pools.empty())
+  if (pools.empty() || !workers.forEach(pools.size(), [&](std::size_t p) { this->Rays.pilot().annotate(pools[p]); }))
     return false;
   const Round round{first, count, (count + trajectoriesPerRay - 1) / trajectoriesPerRay, pools};
 
@@ -55,28 +55,25 @@ bool CompensatedEstimation::addRound(long long first, int count, Workers& worker
 void CompensatedEstimation::scoreVertices(std::size_t r, int replicate, const Round& round, Tally& tally) const
 {
   const Sensor& sensor = this->Direct.sensors()[r];
-  const PairLimits limits = this->Rays.limits(round.count, round.rays);
+  const double share = static_cast<double>(round.rays) / round.count;
   RandomStream random = receiverStream(this->Wanted.seed, replicate, Purpose::Selection, r, round.first);
-  PairBlock block;
-  auto score = [&](const VertexSet& set, double limit, double* sum) {
+  const RayScene* rays = this->Direct.shadows() ? &this->Lit.rays() : nullptr;
+  auto score = [&](const VertexSet& set, double* sum) {
     for (std::size_t begin = 0; begin < set.size(); begin += PairBlock::capacity)
     {
       const auto count = static_cast<int>(std::min<std::size_t>(PairBlock::capacity, set.size() - begin));
-      formPairs(set, begin, count, sensor, 1 / limit, block);
-      tally.noteScore(r, replicate,
-                      this->Direct.shadows()
-                          ? addPickedScores(this->Lit.rays(), set, sensor, block, picksPerBlock, random.next(), sum)
-                          : addScores(set, block, sum));
+      const ShadowPicks shadows{rays, picksPerBlock, random.next()};
+      tally.noteScore(r, replicate, addPickedScores(set, begin, count, sensor, share, shadows, sum));
     }
   };
   const VertexPool& pool = round.pools[replicate];
   double* total = tally.total(r, replicate);
-  score(pool.reflected, limits.reflected, total);
-  score(pool.glossy, limits.reflected, total);
+  score(pool.reflected, total);
+  score(pool.glossy, total);
   if (this->Direct.exactMeshes(r))
     return;
   Bands emitted{};
-  score(pool.emitted, limits.emitted, emitted.data());
+  score(pool.emitted, emitted.data());
   for (int b = 0; b < tally.bands(); ++b)
   {
     total[b] += emitted[b];
@@ -87,7 +84,7 @@ void CompensatedEstimation::scoreVertices(std::size_t r, int replicate, const Ro
 void CompensatedEstimation::scoreGathered(std::size_t r, int replicate, const Round& round, Tally& tally) const
 {
   const GatherPool pool{&round.pools[replicate], round.count};
-  Gathering::Start start{this->Rays.limits(round.count, round.rays), !this->Direct.exactMeshes(r), 0, 0};
+  Gathering::Start start{static_cast<double>(round.rays) / round.count, !this->Direct.exactMeshes(r), 0, 0};
   RandomStream key = receiverStream(this->Wanted.seed, replicate, Purpose::Gather, r, -1);
   const auto sequence = static_cast<std::uint64_t>(key.next() * 0x1.0p53);
   Bands sum{}, emission{};

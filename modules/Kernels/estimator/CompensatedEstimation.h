@@ -5,9 +5,10 @@
 //
 // Vertices keep the first part, and no score exceeds M G*. A few cosine-weighted rays from the receiver gather the
 // second, the luminance where they end being (M0 + rho E)/pi by the same estimator (estimator/Gathering.h). The balance
-// heuristic gives G* = (trajectories x collision density per trajectory and m2) / (gather rays).
-// Shadow rays go to vertices picked in proportion to their unshadowed scores, one packet per block of 256.
-// Bias: none. Source: compensation of clamped virtual lights (Kollig and Keller 2004) with a smooth split.
+// heuristic gives G* = (trajectories x collision density per trajectory and m2) / (gather rays), with the density about
+// the vertex from a pilot. Shadow rays go to vertices picked in proportion to their unshadowed scores, one packet per
+// block of 256. Bias: none. Source: compensation of clamped virtual lights (Kollig and Keller 2004) with a smooth
+// split.
 #ifndef kalos_estimator_CompensatedEstimation_h
 #define kalos_estimator_CompensatedEstimation_h
 

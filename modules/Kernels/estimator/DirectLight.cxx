@@ -11,7 +11,7 @@ DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows) : Li
   {
     if (l.isPoint())
       continue;
-    const Vec3 u = 0.5 * l.sideU, v = 0.5 * l.sideV, c = scene.offset(l.position, l.axis);
+    const Vec3 u = 0.5 * l.sideU, v = 0.5 * l.sideV, c = l.position;
     const double area = length(cross(l.sideU, l.sideV));
     this->Areas.push_back({{c - u - v, c + u - v, c + u + v, c - u + v}, 4, l.axis, uniformBands(l.flux / area)});
   }
@@ -26,16 +26,16 @@ DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows) : Li
   }
 }
 
-Vec3 DirectLight::lampPoint(const Luminaire& luminaire) const
+Vec3 DirectLight::shadowTarget(const Luminaire& luminaire) const
 {
-  // As its trajectories start: a lamp mounted flush with a ceiling shines into the room.
+  // A lamp mounted flush with a ceiling shines into the room.
   const bool flush = luminaire.distribution == Distribution::Lambertian;
   return flush ? this->Lit.offset(luminaire.position, luminaire.axis) : luminaire.position;
 }
 
 double DirectLight::pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const
 {
-  const Vec3 toLamp = this->lampPoint(luminaire) - sensor.position;
+  const Vec3 toLamp = luminaire.position - sensor.position;
   const double d2 = dot(toLamp, toLamp), cosine = dot(toLamp, sensor.normal);  // times d
   if (!(cosine > 0))
     return 0;
@@ -59,7 +59,7 @@ void DirectLight::look(const Sensor& sensor, View& view) const
   for (const Luminaire& luminaire : this->Lit.data().luminaires)
   {
     const double e = luminaire.isPoint() ? this->pointIlluminance(luminaire, sensor) : 0;
-    if (e > 0 && !(this->Shadows && this->Lit.rays().occluded(sensor.rayOrigin, this->lampPoint(luminaire))))
+    if (e > 0 && !(this->Shadows && this->Lit.rays().occluded(sensor.rayOrigin, this->shadowTarget(luminaire))))
       pointSum += e;
   }
   view.points = uniformBands(pointSum);
@@ -151,8 +151,8 @@ Bands DirectLight::sample(const Sensor& sensor, RandomStream& random, View& scra
   Bands arriving{};  // lx per band
   if (k < luminaires.size())
   {
-    sample.target = this->lampPoint(luminaires[k]);
-    sample.direction = normalized(sample.target - sensor.position);
+    sample.target = this->shadowTarget(luminaires[k]);
+    sample.direction = normalized(luminaires[k].position - sensor.position);
     arriving = uniformBands(sum);  // its own illuminance over its share
   }
   else

@@ -63,7 +63,8 @@ EmissionSample Emission::fromTriangle(std::uint32_t t, RandomStream& random) con
   const double v1 = random.next(), v2 = random.next();
   start.direction = Frame(start.normal).toWorld(cosineHemisphere(v1, v2));
   const Bands& exitance = this->Lit.material(t).exitance;
-  const double scale = this->TotalFlux / photometric(exitance, this->Lit.bands());
+  start.density = photometric(exitance, this->Lit.bands()) / this->TotalFlux;
+  const double scale = 1 / start.density;
   for (int b = 0; b < maxBands; ++b)
     start.weight[b] = scale * exitance[b];
   return start;

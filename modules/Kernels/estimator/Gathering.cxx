@@ -5,42 +5,16 @@
 
 namespace kalos
 {
-CollisionDensity measureDensity(const Scene& scene, const Emission& emission, std::uint64_t seed)
-{
-  constexpr int pilot = 256;
-  constexpr int pilotReplicate = 1 << 20;  // no estimate uses it
-  CollisionDensity density;
-  density.surfaceArea = scene.surfaceArea();
-  for (std::uint32_t t = 0; t < scene.data().triangles.size(); ++t)
-    if (photometric(scene.material(t).exitance, scene.bands()) > 0)
-      density.emittingArea += scene.area(t);
-  if (!(emission.totalFlux() > 0))
-    return density;
-  const VertexPool pool = traceTrajectories(scene, emission, seed, pilotReplicate, 0, pilot);
-  const auto collisions = static_cast<double>(pool.reflected.size() + pool.glossy.size());
-  if (density.surfaceArea > 0)
-    density.reflected = std::max(1.0, collisions) / pilot / density.surfaceArea;
-  if (density.emittingArea > 0)
-    density.emitted = std::max(1.0, static_cast<double>(pool.emitted.size())) / pilot / density.emittingArea;
-  return density;
-}
-
-Gathering::Gathering(const Scene& scene, const CollisionDensity& density, bool shadows)
-    : Lit(scene), Density(density), Shadows(shadows), Luminaires(scene, false, shadows)
+Gathering::Gathering(const Scene& scene, const Emission& emission, std::uint64_t seed, bool shadows)
+    : Lit(scene), Density(scene, emission, seed), Shadows(shadows), Luminaires(scene, false, shadows)
 {
 }
 
-PairLimits Gathering::limits(double trajectories, double rays) const
+double Gathering::blockShare(int trajectories) const
 {
-  return {this->Density.reflected * trajectories / rays, this->Density.emitted * trajectories / rays};
-}
-
-PairLimits Gathering::blockLimits(int trajectories) const
-{
-  // A block of each set against one gather ray.
-  return {std::min(this->Density.reflected * trajectories, blockSize / this->Density.surfaceArea),
-          std::min(this->Density.emitted * trajectories,
-                   this->Density.emittingArea > 0 ? blockSize / this->Density.emittingArea : 0)};
+  // One gather ray against the trajectories that a block stands for.
+  const double vertices = std::max(this->Density.collisions(), this->Density.starts()) * trajectories;
+  return 1 / (trajectories * std::min(1.0, blockSize / vertices));
 }
 
 bool Gathering::draw(const Sensor& sensor, double u1, double u2, RandomStream& random, Ray& ray,
@@ -75,8 +49,8 @@ Bands Gathering::gather(const Sensor& sensor, const GatherPool& pool, const Star
                         Bands& emission) const
 {
   const int bands = this->Lit.bands();
-  const PairLimits later = this->blockLimits(pool.trajectories);
-  PairLimits limits = start.limits;
+  const double later = this->blockShare(pool.trajectories);
+  double share = start.share;
   bool seesEmission = start.seesEmission;
   double u1 = start.u1, u2 = start.u2;
   Sensor at = sensor;
@@ -94,16 +68,17 @@ Bands Gathering::gather(const Sensor& sensor, const GatherPool& pool, const Star
       return sum;
     const Vec3 d = y.position - at.position;
     const double kernel = ray.density * -dot(ray.direction, y.normal) / dot(d, d);  // G, for a Lambertian sensor
-    const double ratio = ray.mirror ? std::numeric_limits<double>::infinity() : kernel / limits.reflected;
+    const double ratio =
+        ray.mirror ? std::numeric_limits<double>::infinity() : kernel * share / this->Density.density(y.position);
 
     // Add what it emits, less the share that starts on meshes score.
     const Material& material = this->Lit.material(y.triangle);
-    if (y.front && (ray.mirror || seesEmission))
+    if (y.front && (ray.mirror || seesEmission) && photometric(material.exitance, bands) > 0)
     {
-      const double share = ray.mirror ? 1 : gatheredShare(kernel / limits.emitted);
+      const double gathered = ray.mirror ? 1 : gatheredShare(kernel * share / this->Density.startDensity(material));
       for (int b = 0; b < bands; ++b)
       {
-        const double e = throughput[b] * share * material.exitance[b];
+        const double e = throughput[b] * gathered * material.exitance[b];
         sum[b] += e;
         if (first && !ray.mirror)
           emission[b] += e;
@@ -141,7 +116,7 @@ Bands Gathering::gather(const Sensor& sensor, const GatherPool& pool, const Star
       return sum;
 
     at = next;
-    limits = later;
+    share = later;
     seesEmission = true;
     u1 = random.next();
     u2 = random.next();
@@ -153,16 +128,16 @@ void Gathering::addVertexLight(const Sensor& sensor, const GatherPool& pool, Ran
 {
   thread_local DirectLight::View scratch;
   const Bands direct = this->Luminaires.sample(sensor, random, scratch);
-  const PairLimits limits = this->blockLimits(pool.trajectories);
+  const double share = this->blockShare(pool.trajectories);
   Bands vertices{};
-  this->scoreBlock(sensor, pool.vertices->reflected, limits.reflected, random, vertices);
-  this->scoreBlock(sensor, pool.vertices->glossy, limits.reflected, random, vertices);
-  this->scoreBlock(sensor, pool.vertices->emitted, limits.emitted, random, vertices);
+  this->scoreBlock(sensor, pool.vertices->reflected, share, random, vertices);
+  this->scoreBlock(sensor, pool.vertices->glossy, share, random, vertices);
+  this->scoreBlock(sensor, pool.vertices->emitted, share, random, vertices);
   for (int b = 0; b < this->Lit.bands(); ++b)
     sum[b] += throughput[b] * (direct[b] + vertices[b] / pool.trajectories);
 }
 
-void Gathering::scoreBlock(const Sensor& sensor, const VertexSet& set, double limit, RandomStream& random,
+void Gathering::scoreBlock(const Sensor& sensor, const VertexSet& set, double share, RandomStream& random,
                            Bands& sum) const
 {
   if (set.size() == 0)
@@ -173,13 +148,9 @@ void Gathering::scoreBlock(const Sensor& sensor, const VertexSet& set, double li
   const std::size_t straight = std::min(size, set.size() - begin);
   const double weight = static_cast<double>(set.size()) / static_cast<double>(size);
   Bands scores{};
-  PairBlock block;
   auto score = [&](std::size_t from, std::size_t count) {
-    formPairs(set, from, static_cast<int>(count), sensor, 1 / limit, block);
-    if (this->Shadows)
-      addPickedScores(this->Lit.rays(), set, sensor, block, 1, random.next(), scores.data());
-    else
-      addScores(set, block, scores.data());
+    const ShadowPicks shadows{this->Shadows ? &this->Lit.rays() : nullptr, 1, random.next()};
+    addPickedScores(set, from, static_cast<int>(count), sensor, share, shadows, scores.data());
   };
   score(begin, straight);
   if (straight < size)

@@ -5,44 +5,27 @@
 
 #include "estimator/DirectLight.h"
 #include "estimator/PairKernel.h"
-#include "estimator/Trajectories.h"
+#include "estimator/Pilot.h"
 
 namespace kalos
 {
-/// The vertices of one replicate's round, as gather rays use them.
+/// The vertices of one replicate's round, annotated by the pilot, as gather rays use them.
 struct GatherPool
 {
   const VertexPool* vertices = nullptr;
   int trajectories = 0;  ///< that left them
 };
 
-/// Vertices expected per m2 and trajectory: the density against which gather rays are balanced. Taken from a pilot
-/// whose random numbers are used nowhere else, so that the weights do not depend on what they weigh.
-struct CollisionDensity
-{
-  double reflected = 0;                      ///< of collisions, Lambertian and glossy
-  double emitted = 0;                        ///< of starts on emitting meshes, per m2 of those
-  double surfaceArea = 0, emittingArea = 0;  ///< m2
-};
-CollisionDensity measureDensity(const Scene& scene, const Emission& emission, std::uint64_t seed);
-
-/// G* (1/m2) of a sensor that vertices score at: a = 1/(1 + G/G*) is what they keep, 1 - a is gathered.
-struct PairLimits
-{
-  double reflected, emitted;
-};
-
 class Gathering
 {
 public:
-  Gathering(const Scene& scene, const CollisionDensity& density, bool shadows);
+  Gathering(const Scene& scene, const Emission& emission, std::uint64_t seed, bool shadows);
 
-  /// Balance heuristic for a sensor scored by all vertices of `trajectories` that sends `rays` gather rays.
-  PairLimits limits(double trajectories, double rays) const;
+  const Pilot& pilot() const { return this->Density; }
 
   struct Start
   {
-    PairLimits limits;
+    double share;       ///< gather rays of the sensor per trajectory that scores at it; G* = density/share
     bool seesEmission;  ///< add (1 - a) of the exitance where the first ray ends; false when it is known exactly
     double u1, u2;      ///< direction of the first ray, in [0,1)
   };
@@ -55,7 +38,7 @@ public:
                Bands& emission) const;
 
 private:
-  static constexpr int blockSize = 128;  // vertices scored where a gather ray ends
+  static constexpr int blockSize = 64;  // vertices scored where a gather ray ends
 
   struct Ray
   {
@@ -64,13 +47,13 @@ private:
     bool mirror;
   };
   bool draw(const Sensor& sensor, double u1, double u2, RandomStream& random, Ray& ray, Bands& throughput) const;
-  PairLimits blockLimits(int trajectories) const;
+  double blockShare(int trajectories) const;
   void addVertexLight(const Sensor& sensor, const GatherPool& pool, RandomStream& random, const Bands& throughput,
                       Bands& sum) const;
-  void scoreBlock(const Sensor& sensor, const VertexSet& set, double limit, RandomStream& random, Bands& sum) const;
+  void scoreBlock(const Sensor& sensor, const VertexSet& set, double share, RandomStream& random, Bands& sum) const;
 
   const Scene& Lit;
-  CollisionDensity Density;
+  Pilot Density;
   bool Shadows;
   DirectLight Luminaires;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/LocalEstimation.h"
 
-#include "estimator/Gathering.h"
+#include "estimator/Pilot.h"
 #include "estimator/Trust.h"
 #include "estimator/VertexRound.h"
 
@@ -20,7 +20,7 @@ LocalEstimation::LocalEstimation(const Scene& scene, const Receivers& receivers,
       Wanted(settings),
       Source(scene),
       Direct(scene, receivers, settings.seed),
-      CollisionsPerArea(measureDensity(scene, this->Source, settings.seed).reflected),
+      CollisionsPerArea(Pilot(scene, this->Source, settings.seed).typical()),
       Alteration(makeAlteration(scene, receivers, settings, this->CollisionsPerArea * plannedTrajectories(settings)))
 {
 }

@@ -11,7 +11,7 @@ namespace kalos
 /// A run of vertices paired with one sensor; only those that score are kept.
 struct PairBlock
 {
-  static constexpr int capacity = 256;
+  static constexpr int capacity = 128;
   int count = 0;
   int index[capacity];         ///< of the vertex in its set
   float kernel[capacity];      ///< 1/m2, what the method scores: a(G) G, or an altered kernel
@@ -20,9 +20,10 @@ struct PairBlock
 };
 
 /// Fills `block` with the pairs that score among vertices [begin, begin + count), count <= PairBlock::capacity:
-/// kernel = G / (1 + f^ G/G*), with inverseLimit = 1/G* (0: the plain kernel) and f^ the lobe ratio of a glossy vertex.
-/// The Lambertian case is vector code for AVX-512, AVX2 and SSE2, chosen at run time.
-void formPairs(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double inverseLimit,
+/// kernel = G / (1 + f^ G/G*), with G* = vertex density / share, where `share` is the number of gather rays per
+/// trajectory (0: the plain kernel) and f^ the lobe ratio of a glossy vertex. The Lambertian case is vector code for
+/// AVX-512, AVX2 and SSE2, chosen at run time.
+void formPairs(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double share,
                PairBlock& block);
 
 /// The same with the plain kernel, but keeps every vertex nearer than `reach` (m), also where G = 0, and fills
@@ -36,14 +37,18 @@ void keepVisible(const RayScene& rays, const VertexSet& vertices, const Sensor& 
 /// Adds flux times kernel of every pair to sum[0..bands). Returns the largest luminous score.
 double addScores(const VertexSet& vertices, const PairBlock& block, double* sum);
 
-/// Luminous score of pair i, lx times the number of trajectories.
-double luminousScore(const VertexSet& vertices, const PairBlock& block, int i);
+/// How shadow rays are spent on a block: `rays` null where nothing can occlude, else at most `picks` (1..16) of them go
+/// to pairs picked in proportion to their luminous scores, systematically from one random number u in [0,1).
+struct ShadowPicks
+{
+  const RayScene* rays;
+  int picks;
+  double u;
+};
 
-/// An unbiased estimate of addScores() over the visible pairs with at most `picks` (1..16) shadow rays: pairs are
-/// picked in proportion to their luminous scores, systematically from one random number u in [0,1). Returns the largest
-/// score.
-double addPickedScores(const RayScene& rays, const VertexSet& vertices, const Sensor& sensor, PairBlock& block,
-                       int picks, double u, double* sum);
+/// An unbiased estimate of formPairs(), keepVisible() and addScores() together. Returns the largest luminous score.
+double addPickedScores(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double share,
+                       const ShadowPicks& shadows, double* sum);
 }  // namespace kalos
 
 #endif

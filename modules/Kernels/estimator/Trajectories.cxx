@@ -65,7 +65,7 @@ VertexPool traceTrajectories(const Scene& scene, const Emission& emission, std::
         scene, emission, RandomStream(seed, replicate, Purpose::Trajectory, i),
         [&](const EmissionSample& start) {
           if (start.onSurface)
-            pool.emitted.add(scene, start.position, start.normal, start.weight);
+            pool.emitted.add(scene, start.position, start.normal, start.weight, 1 / start.density);
         },
         [](auto&&...) {}, keep);
   }

@@ -7,7 +7,7 @@
 
 namespace kalos
 {
-void VertexSet::add(const Scene& scene, const Vec3& p, const Vec3& n, const Bands& m)
+void VertexSet::add(const Scene& scene, const Vec3& p, const Vec3& n, const Bands& m, double inverse)
 {
   this->px.push_back(static_cast<float>(p.x));
   this->py.push_back(static_cast<float>(p.y));
@@ -16,6 +16,7 @@ void VertexSet::add(const Scene& scene, const Vec3& p, const Vec3& n, const Band
   this->ny.push_back(static_cast<float>(n.y));
   this->nz.push_back(static_cast<float>(n.z));
   this->offset.push_back(static_cast<float>(length(scene.offset(p, n) - p)));
+  this->inverseDensity.push_back(static_cast<float>(inverse));
   const int bands = static_cast<int>(this->flux.size());
   this->luminous.push_back(static_cast<float>(photometric(m, bands)));
   for (int b = 0; b < bands; ++b)
@@ -48,6 +49,7 @@ void VertexSet::append(const VertexSet& other)
   join(this->ny, other.ny);
   join(this->nz, other.nz);
   join(this->offset, other.offset);
+  join(this->inverseDensity, other.inverseDensity);
   join(this->luminous, other.luminous);
   for (std::size_t b = 0; b < this->flux.size(); ++b)
     join(this->flux[b], other.flux[b]);

@@ -65,7 +65,9 @@ private:
     if (now - this->LastTold < std::chrono::milliseconds(50))
       return;
     this->LastTold = now;
-    if (!this->Report(this->From + fraction * (this->To - this->From)))
+    this->Told =
+        std::max(this->Told, this->From + fraction * (this->To - this->From));  // goals move, progress does not
+    if (!this->Report(this->Told))
       this->Aborted = true;
   }
 
@@ -74,7 +76,7 @@ private:
   std::thread::id Caller = std::this_thread::get_id();
   std::chrono::steady_clock::time_point LastTold{};
   std::atomic<bool> Aborted{false};
-  double From = 0, To = 1;
+  double From = 0, To = 1, Told = 0;
 };
 }  // namespace kalos
 

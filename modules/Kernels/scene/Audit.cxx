@@ -5,7 +5,7 @@ namespace kalos
 {
 namespace
 {
-constexpr std::size_t largestHullSearch = 512;  // triangles; the search is quadratic
+constexpr double largestHullSearch = 2e7;  // pairs of a triangle and a point
 
 // Range of the signed distances of points to a plane.
 struct Sides
@@ -22,7 +22,8 @@ struct Sides
 bool nothingOccludes(const Scene& scene, const std::vector<Vec3>& receivers)
 {
   const SceneDescription& data = scene.data();
-  if (data.triangles.size() > largestHullSearch)
+  if (static_cast<double>(data.triangles.size()) * static_cast<double>(data.points.size() + receivers.size()) >
+      largestHullSearch)
     return false;
   const double tolerance = 1e-6 * scene.size();
   std::vector<char> used(data.points.size(), 0);

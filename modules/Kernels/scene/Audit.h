@@ -15,7 +15,7 @@ struct Audit
   std::uint32_t emittingTriangles = 0;
 };
 
-/// `receivers` in scene coordinates. Looks for a convex hull only in scenes of up to 512 triangles.
+/// `receivers` in scene coordinates. Looks for a convex hull only where that takes well under a second.
 Audit auditScene(const Scene& scene, const std::vector<Vec3>& receivers);
 }  // namespace kalos
 
