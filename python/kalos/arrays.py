@@ -8,6 +8,7 @@ SURFACE_NAMES = "SurfaceNames"
 ILLUMINANCE = "Illuminance"
 ILLUMINANCE_STANDARD_ERROR = "IlluminanceStandardError"
 DIRECT_ILLUMINANCE = "DirectIlluminance"
+INTERVAL_TRUSTED = "IntervalTrusted"
 
 LUMINANCE = "Luminance"
 LUMINANCE_STANDARD_ERROR = "LuminanceStandardError"

@@ -38,12 +38,17 @@ def quantity(kind, expected, accept):
     return parse
 
 
+LENGTH = quantity(float, "auto, or a length > 0 in metres", lambda x: x > 0)
 COUNT = quantity(int, "a whole number from 1 to 9223372036854775807", lambda n: 1 <= n < 2**63)
-LENGTH = quantity(float, "a length > 0, in metres", lambda x: x > 0)
 RELATIVE = quantity(float, "a relative error > 0 and < 1, such as 0.01", lambda x: 0 < x < 1)
 TIME = quantity(float, "a time > 0, in seconds", lambda x: x > 0)
 SEED = quantity(int, "a whole number from 0 to 2147483647", lambda n: 0 <= n < 2**31)
 THREADS = quantity(int, "a whole number from 0 (all) to 1024", lambda n: 0 <= n <= 1024)
+
+
+def length(text):
+    """A length in metres; None, which is automatic, for the word auto."""
+    return None if text == "auto" else LENGTH(text)
 
 
 def parser():
@@ -74,8 +79,9 @@ def add_estimator_options(command):
         help=f"one of {', '.join(METHODS)} (%(default)s)")
     add("--trajectories", metavar="N", type=COUNT,
         help="at most so many trajectories (10000; no limit with --error or --time)")
-    add("--delta", metavar="M", type=LENGTH, help="distance below which the kernel is averaged, m (automatic)")
-    add("--epsilon", metavar="M", type=LENGTH, help="radius of the averaging neighbourhood, m (automatic)")
+    add("--delta", metavar="M", type=length,
+        help="distance below which the methods with a neighbourhood alter the kernel, m (auto: from the vertices' density)")
+    add("--epsilon", metavar="M", type=length, help="radius of the neighbourhood, m (auto: likewise)")
     add("--error", metavar="E", type=RELATIVE,
         help="stop when every 95 %% half-width is within E of its value (off)")
     add("--time", metavar="SECONDS", type=TIME, help="stop each solve after so many seconds (off)")

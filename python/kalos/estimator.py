@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of an estimate and how they reach the VTK filters."""
+import contextlib
+import re
 from dataclasses import dataclass
 
-DEFAULT_METHOD = "local"
+from kalos.errors import KalosError
+
+DEFAULT_METHOD = "compensated"
 
 # As vtkKalosIlluminance::Method numbers them.
 METHODS = {"compensated": 5, "gathered": 6, "local": 0, "sphere-published": 1, "sphere-exact": 2, "disc": 3, "clamped": 4,
@@ -32,3 +36,20 @@ class Options:
         estimator.SetSeconds(self.time or 0)
         estimator.SetSeed(self.seed)
         estimator.SetThreads(self.threads)
+
+
+@contextlib.contextmanager
+def named_options():
+    """Within, an estimator's complaint about a setting becomes one about the command's option of that name.
+
+    The filters say `delta: is 7.5 m, expected 0 (automatic) up to ...`; the command knows automatic as `auto`.
+    """
+    try:
+        yield
+    except KalosError as error:
+        name, separator, rest = str(error).partition(": ")
+        if not separator or name not in Options.__dataclass_fields__:
+            raise
+        rest = re.sub(r"(\.\d*?)0+(?= m\b)", lambda match: match[1].rstrip("."), rest)
+        raise KalosError(f"--{name}: {rest.replace('expected 0 (automatic)', 'expected auto, or a length')}",
+                         error.status) from None

@@ -22,6 +22,7 @@ class Receivers:
     illuminance: np.ndarray  # lx
     standard_error: np.ndarray  # lx
     direct: np.ndarray  # lx
+    trusted: np.ndarray  # bool: whether the standard error can be believed
     weights: np.ndarray  # areas of the cells, m2, or ones: what a mean over the set weighs by
 
     @property
@@ -44,7 +45,8 @@ def from_dataset(name, dataset):
         weights = np.ones(len(points))
     read = [vtk_to_numpy(data.GetArray(key)).astype(float)
             for key in (arrays.ILLUMINANCE, arrays.ILLUMINANCE_STANDARD_ERROR, arrays.DIRECT_ILLUMINANCE)]
-    return Receivers(name, dataset, points, vtk_to_numpy(data.GetNormals()).astype(float), *read, weights)
+    trusted = vtk_to_numpy(data.GetArray(arrays.INTERVAL_TRUSTED)) != 0
+    return Receivers(name, dataset, points, vtk_to_numpy(data.GetNormals()).astype(float), *read, trusted, weights)
 
 
 def cell_centres(dataset):

@@ -7,7 +7,7 @@ from pathlib import Path
 import kalos
 from kalos import arrays, pictures, summary as figures
 from kalos.errors import KalosError, update
-from kalos.estimator import Options
+from kalos.estimator import Options, named_options
 from kalos.output import staged
 from kalos.progress import run
 from kalos.receivers import from_dataset
@@ -26,7 +26,8 @@ def solve(scene, out, options=Options(), say=lambda text: None):
     check_results(reader, scene)
     setup = time.perf_counter() - started
     with staged(out) as folder:
-        receivers, images, outputs = estimate(reader, options)
+        with named_options():
+            receivers, images, outputs = estimate(reader, options)
         result = summarise(scene, options, receivers, images, outputs)
         result["setup_seconds"] = setup
         say("audit")
@@ -117,7 +118,8 @@ def summarise(scene, options, receivers, images, outputs):
     for output in outputs:
         audit += [entry for entry in figures.audit(output) if entry not in audit]
     sets = {r.name: {**figures.statistics(r.illuminance, r.standard_error, r.weights),
-                     "trajectories": figures.trajectories(outputs[0])} for r in receivers}
+                     "untrusted": int((~r.trusted).sum()), "trajectories": figures.trajectories(outputs[0])}
+            for r in receivers}
     cameras = {name: {**figures.image_statistics(image), "trajectories": figures.trajectories(image)}
                for name, image in images.items()}
     return {"kalos": kalos.__version__, "scene": str(scene), "method": options.method, "seed": options.seed, "audit": audit,

@@ -66,16 +66,20 @@ def result_text(summary):
         if not sets:
             continue
         uniform = unit == "lx"
-        head = [title, f"mean {unit}", "min", "max", *(["U0", "Ud"] if uniform else []), "largest error", "trajectories"]
+        head = [title, f"mean {unit}", "min", "max", *(["U0", "Ud"] if uniform else []), "largest error",
+                *(["untrusted"] if uniform else []), "trajectories"]
         rows = [head]
         for name, figures in sets.items():
             keys = ["mean", "min", "max", *(["U0", "Ud"] if uniform else [])]
             worst = figures["largest_relative_standard_error"]
             rows.append([name, *(number(figures[key]) for key in keys),
-                         "-" if worst is None else f"{100 * worst:.3g} %", str(figures["trajectories"])])
+                         "-" if worst is None else f"{100 * worst:.3g} %",
+                         *([str(figures["untrusted"])] if uniform else []), str(figures["trajectories"])])
         widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
         for row in rows:
             lines.append("  " + row[0].ljust(widths[0]) + "".join("  " + c.rjust(w) for c, w in zip(row[1:], widths[1:])))
+    if any(figures["untrusted"] for figures in summary["receivers"].values()):
+        lines.append("  untrusted: receivers whose standard error can not be believed, as single scores carry the estimate")
     return "\n".join(lines)
 
 

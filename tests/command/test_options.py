@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every message about a bad option or output folder: exit status 2 and one line, before anything is solved."""
-import shutil
-
 import pytest
 from conftest import launch, one_line
 
+from kalos.estimator import METHODS
+
 COUNT = "expected a whole number from 1 to 9223372036854775807"
-LENGTH = "expected a length > 0, in metres"
+LENGTH = "expected auto, or a length > 0 in metres"
 
 BAD = [
     ("--trajectories", "-5", COUNT), ("--trajectories", "0", COUNT), ("--trajectories", "1.5", COUNT),
     ("--trajectories", "9223372036854775808", COUNT),
     ("--delta", "nan", LENGTH), ("--delta", "-1", LENGTH), ("--delta", "0", LENGTH), ("--epsilon", "inf", LENGTH),
-    ("--epsilon", "wide", LENGTH),
+    ("--epsilon", "wide", LENGTH), ("--epsilon", "-0.1", LENGTH), ("--epsilon", "0", LENGTH), ("--epsilon", "nan", LENGTH),
     ("--error", "0", "expected a relative error > 0 and < 1, such as 0.01"),
     ("--error", "1", "expected a relative error > 0 and < 1, such as 0.01"),
     ("--time", "-1", "expected a time > 0, in seconds"),
@@ -34,14 +34,32 @@ def test_unknown_method(scene, command, tmp_path):
     assert status == 2 and one_line(error).startswith("--method: invalid choice: 'magic' (choose from 'compensated', ")
 
 
-def test_method_that_is_not_built(scene, command, tmp_path):
-    for method in ("compensated", "gathered", "sphere-published", "sphere-exact", "disc", "clamped"):
-        status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", "--method", method)
-        if status == 0:
-            shutil.rmtree(tmp_path / "out")
-            continue  # it has been built
-        assert status == 2 and one_line(error).startswith("method: ")
-        assert not (tmp_path / "out").exists()
+@pytest.mark.parametrize("option", ["--delta", "--epsilon"])
+def test_length_larger_than_the_scene(scene, command, tmp_path, option):
+    status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", option, "2.5", "--method", "sphere-exact")
+    assert status == 2
+    assert one_line(error) == f"{option}: is 2.5 m, expected auto, or a length up to the size of the scene, 2 m"
+    assert not (tmp_path / "out").exists()
+
+
+def test_automatic_lengths_are_the_default(scene, command, tmp_path):
+    path = scene.save()
+    tables = []
+    for i, lengths in enumerate(((), ("--delta", "auto", "--epsilon", "auto"), ("--delta", 0.9, "--epsilon", 0.9))):
+        out = tmp_path / f"out{i}"
+        status, _, _ = command("solve", path, "--out", out, "--trajectories", 640, "--method", "sphere-exact", *lengths)
+        assert status == 0
+        tables.append((out / "wall.csv").read_bytes())
+    assert tables[0] == tables[1] != tables[2]
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_every_method_runs_or_says_that_it_is_not_there(scene, command, tmp_path, method):
+    out = tmp_path / "out"
+    status, _, error = command("solve", scene.save(), "--out", out, "--method", method, "--trajectories", 640)
+    if status:
+        assert status == 2 and one_line(error).startswith("--method: ")
+    assert out.exists() == (status == 0)
 
 
 @pytest.mark.parametrize("arguments, message", [

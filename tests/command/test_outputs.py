@@ -6,7 +6,7 @@ import os
 
 import numpy as np
 import pytest
-from conftest import launch
+from conftest import PROBE, launch
 from matplotlib.image import imread
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -26,6 +26,14 @@ def solved(scene, command, tmp_path):
 
 def read_csv(path):
     return np.array(list(csv.reader(path.open()))[1:], float)
+
+
+def untrusted(path):
+    """How many receivers of a data set are marked as not to be trusted."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return int((vtk_to_numpy(reader.GetOutput().GetCellData().GetArray("IntervalTrusted")) == 0).sum())
 
 
 def test_files(solved, tmp_path):
@@ -70,7 +78,7 @@ def test_summary(solved):
     summary = json.loads((folder / "summary.json").read_text())
     assert sorted(summary) == ["audit", "cameras", "cpu_seconds", "kalos", "method", "receivers", "scene", "seconds", "seed",
                                "setup_seconds"]
-    assert (summary["kalos"], summary["method"], summary["seed"]) == (kalos.__version__, "local", 7)
+    assert (summary["kalos"], summary["method"], summary["seed"]) == (kalos.__version__, "compensated", 7)
     assert summary["seconds"] > 0 and summary["cpu_seconds"] > 0 and summary["setup_seconds"] > 0
     assert all(sorted(entry) == ["choice", "reason", "subject"] for entry in summary["audit"]) and summary["audit"]
     values = read_csv(folder / "desk.csv")[:, 6:8]
@@ -80,6 +88,7 @@ def test_summary(solved):
     np.testing.assert_allclose([desk["mean"], desk["U0"], desk["Ud"]], [mean, lowest / mean, lowest / highest], rtol=1e-12)
     assert desk["largest_relative_standard_error"] == (values[:, 1] / values[:, 0]).max()
     assert desk["trajectories"] == 3200
+    assert desk["untrusted"] == untrusted(folder / "desk.vtp")
     assert sorted(summary["cameras"]["front"]) == ["largest_relative_standard_error", "max", "mean", "min", "trajectories"]
 
 
@@ -148,6 +157,17 @@ def test_replaces_its_files_and_keeps_others(scene, command, tmp_path):
     assert (out / "notes.txt").read_text() == "mine"
     assert (out / "desk.csv").read_text().startswith(HEADER)
     assert not [name for name in os.listdir(out) if name.startswith(".")]
+
+
+def test_tells_which_values_not_to_trust(scene, command, tmp_path):
+    """Plain local estimation a tenth of a millimetre from the wall, beside a receiver in the open."""
+    path = scene.save(probe=PROBE.splitlines()[0] + "\n1,1.9999,0,0,0,1\n1,0.5,0,0,0,1\n")
+    status, out, _ = command("solve", path, "--out", tmp_path / "a", "--method", "local", "--trajectories", 32000)
+    assert status == 0 and "untrusted: receivers whose standard error" in out
+    assert json.loads((tmp_path / "a" / "summary.json").read_text())["receivers"]["probe"]["untrusted"] == 1
+    status, out, _ = command("solve", path, "--out", tmp_path / "b", "--trajectories", 32000)
+    assert status == 0
+    assert json.loads((tmp_path / "b" / "summary.json").read_text())["receivers"]["probe"]["untrusted"] == 0
 
 
 def test_direct_simulation(scene, command, tmp_path):
