@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "singular/SingularEdges.h"
+
+#include "singular/Contacts.h"
+#include "singular/Curves.h"
+#include "singular/MeshEdges.h"
+
+namespace kalos::meshing
+{
+Curves findSingularEdges(TriangleMesh mesh, const EdgeSettings& settings, const Progress& progress)
+{
+  check(mesh);
+  Curves result;
+  EdgeReport& counts = result.report;
+  counts.tolerance = tolerance(mesh, settings.tolerance);
+
+  // Make neighbours of triangles that only touch by coordinates; coincident ones would meet each other without end.
+  report(progress, 0.0);
+  mergePoints(mesh, counts.tolerance);
+  counts.degenerate = dropDegenerate(mesh, counts.tolerance);
+  std::fill(mesh.material.begin(), mesh.material.end(), 0u);
+  counts.duplicate = dropDuplicates(mesh).dropped;
+  report(progress, 0.15);
+
+  std::vector<Segment> segments;
+  appendMeshEdges(mesh, settings, counts, segments);
+  report(progress, 0.4);
+  if (settings.wanted[static_cast<int>(EdgeClass::Contact)])
+  {
+    const std::size_t before = segments.size();
+    appendContacts(mesh, counts.tolerance, settings, segments,
+                   progress ? [&](double share) { return progress(0.4 + 0.5 * share); } : Progress());
+    counts.edges[static_cast<int>(EdgeClass::Contact)] = segments.size() - before;
+  }
+  report(progress, 0.9);
+  joinSegments(segments, counts.tolerance, result);
+  report(progress, 1.0);
+  return result;
+}
+}  // namespace kalos::meshing
