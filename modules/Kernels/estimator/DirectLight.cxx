@@ -26,13 +26,6 @@ DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows) : Li
   }
 }
 
-Vec3 DirectLight::shadowTarget(const Luminaire& luminaire) const
-{
-  // A lamp mounted flush with a ceiling shines into the room.
-  const bool flush = luminaire.distribution == Distribution::Lambertian;
-  return flush ? this->Lit.offset(luminaire.position, luminaire.axis) : luminaire.position;
-}
-
 double DirectLight::pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const
 {
   const Vec3 toLamp = luminaire.position - sensor.position;
@@ -59,7 +52,7 @@ void DirectLight::look(const Sensor& sensor, View& view) const
   for (const Luminaire& luminaire : this->Lit.data().luminaires)
   {
     const double e = luminaire.isPoint() ? this->pointIlluminance(luminaire, sensor) : 0;
-    if (e > 0 && !(this->Shadows && this->Lit.rays().occluded(sensor.rayOrigin, this->shadowTarget(luminaire))))
+    if (e > 0 && !(this->Shadows && this->Lit.rays().occluded(sensor.rayOrigin, this->Lit.shadowTarget(luminaire))))
       pointSum += e;
   }
   view.points = uniformBands(pointSum);
@@ -151,7 +144,7 @@ Bands DirectLight::sample(const Sensor& sensor, RandomStream& random, View& scra
   Bands arriving{};  // lx per band
   if (k < luminaires.size())
   {
-    sample.target = this->shadowTarget(luminaires[k]);
+    sample.target = this->Lit.shadowTarget(luminaires[k]);
     sample.direction = normalized(luminaires[k].position - sensor.position);
     arriving = uniformBands(sum);  // its own illuminance over its share
   }

@@ -58,7 +58,6 @@ private:
     Bands exitance;  // lm/m2
   };
 
-  Vec3 shadowTarget(const Luminaire& luminaire) const;
   double pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const;  // unshadowed, lx
   double areaIlluminance(const Area& area, const Sensor& sensor) const;             // unshadowed form factor
 

@@ -28,7 +28,8 @@ DirectPart::DirectPart(const Scene& scene, const Receivers& receivers, std::uint
       ClosedForms(this->Found.emittingTriangles <= largestExact &&
                   this->Found.emittingTriangles * receivers.points.size() <= largestViews),
       Direct(scene, this->ClosedForms, this->shadows()),
-      Luminaires(scene, false, this->shadows())
+      Luminaires(scene, false, this->shadows()),
+      Mirrored(scene)
 {
   this->Sensors.reserve(receivers.points.size());
   for (std::size_t i = 0; i < receivers.points.size(); ++i)
@@ -52,13 +53,15 @@ bool DirectPart::prepare(Workers& workers, Tally& tally)
     const std::size_t end = std::min(this->Sensors.size(), (tile + 1) * tileSize);
     for (std::size_t r = tile * tileSize; r < end; ++r)
     {
+      const Bands mirrored = this->Mirrored.any() ? this->Mirrored.illuminance(this->Sensors[r]) : Bands{};
+      std::copy_n(mirrored.begin(), tally.bands(), tally.fixed(r));
       if (this->Sensors[r].brdf)
         continue;
       DirectLight::View& view = this->Views[r];
       this->Direct.look(this->Sensors[r], view);
       this->measureVisibility(r);
       for (int b = 0; b < tally.bands(); ++b)
-        tally.fixed(r)[b] = view.points[b] + view.visibleShare * view.areas[b];
+        tally.fixed(r)[b] += view.points[b] + view.visibleShare * view.areas[b];
     }
   });
 }
@@ -147,9 +150,9 @@ std::vector<AuditLine> DirectPart::audit() const
   if (static_cast<std::size_t>(points) < luminaires.size())
     lines.push_back({"luminous rectangles", std::to_string(luminaires.size() - points) + ", polygon formula",
                      "only what hides it is sampled"});
-  if (points && mirror)
-    lines.push_back({"point luminaires in mirrors", "not seen",
-                     "a point has no area for a gather ray to meet; use a luminous rectangle"});
+  if (this->Mirrored.any())
+    lines.push_back({"point luminaires in mirrors", "one mirror, exact",
+                     "light that takes two or more from a point straight to a receiver is left out"});
   if (this->Found.emittingTriangles)
     lines.push_back(
         {"emitting triangles",

@@ -4,6 +4,7 @@
 #define kalos_estimator_DirectPart_h
 
 #include "estimator/DirectLight.h"
+#include "estimator/MirrorImages.h"
 #include "estimator/Tally.h"
 #include "estimator/Workers.h"
 #include "scene/Audit.h"
@@ -40,6 +41,7 @@ private:
   bool ClosedForms;
   DirectLight Direct;      // luminaires, and meshes where closed forms serve
   DirectLight Luminaires;  // luminaires only
+  MirrorImages Mirrored;
   std::vector<Sensor> Sensors;
   std::vector<DirectLight::View> Views;
 };

@@ -34,6 +34,7 @@ EmissionSample Emission::sample(RandomStream& random) const
 EmissionSample Emission::fromLuminaire(const Luminaire& luminaire, RandomStream& random) const
 {
   EmissionSample start;
+  start.fromPoint = luminaire.isPoint();
   start.position = luminaire.position;
   start.normal = luminaire.axis;
   start.weight = uniformBands(this->TotalFlux);

@@ -4,7 +4,7 @@
 #define kalos_estimator_Gathering_h
 
 #include "estimator/DirectLight.h"
-#include "estimator/PairKernel.h"
+#include "estimator/PickedScores.h"
 #include "estimator/Pilot.h"
 
 namespace kalos

@@ -2,6 +2,8 @@
 // Method `local`, (E1): E(r) = E_direct(r) + sum of M_i G(r, y_i) V over the vertices of the trajectories, where M_i is
 // the flux that vertex i reflects (for a glossy vertex, pi f times its incident flux). Unbiased; its variance grows
 // without bound towards concave edges and contacts, and this is kept as it is: it is what one studies.
+// Light that a receiver sees in a mirror comes from no vertex in view and is not found, but for the images of point
+// luminaires; `compensated` gathers it.
 //
 // The methods that alter the kernel near the receiver (estimator/KernelAlteration.h) run on the same trajectories and
 // report how much the alteration added.

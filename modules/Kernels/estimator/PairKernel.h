@@ -34,21 +34,18 @@ void formNearPairs(const VertexSet& vertices, std::size_t begin, int count, cons
 /// Removes the pairs that do not see each other: one shadow ray each, in packets of sixteen.
 void keepVisible(const RayScene& rays, const VertexSet& vertices, const Sensor& sensor, PairBlock& block);
 
+/// The kernels of formPairs() for a Lambertian set and sensor, not compacted: 0 where a pair does not score.
+void evaluateKernels(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double share,
+                     float* kernel);
+
+/// Segments from the sensor to the `count` <= 16 vertices of these indices; idle lanes repeat the last one.
+void fillPacket(const VertexSet& vertices, const Sensor& sensor, const int* indices, int count, SegmentPacket& packet);
+
+/// Luminous score of pair i, lx times the number of trajectories.
+double luminousScore(const VertexSet& vertices, const PairBlock& block, int i);
+
 /// Adds flux times kernel of every pair to sum[0..bands). Returns the largest luminous score.
 double addScores(const VertexSet& vertices, const PairBlock& block, double* sum);
-
-/// How shadow rays are spent on a block: `rays` null where nothing can occlude, else at most `picks` (1..16) of them go
-/// to pairs picked in proportion to their luminous scores, systematically from one random number u in [0,1).
-struct ShadowPicks
-{
-  const RayScene* rays;
-  int picks;
-  double u;
-};
-
-/// An unbiased estimate of formPairs(), keepVisible() and addScores() together. Returns the largest luminous score.
-double addPickedScores(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double share,
-                       const ShadowPicks& shadows, double* sum);
 }  // namespace kalos
 
 #endif

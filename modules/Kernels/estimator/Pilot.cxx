@@ -107,6 +107,7 @@ void Pilot::annotate(VertexPool& pool) const
 {
   for (VertexSet* set : {&pool.reflected, &pool.glossy})
     for (std::size_t i = 0; i < set->size(); ++i)
-      set->inverseDensity[i] = static_cast<float>(1 / this->density(set->position(i)));
+      if (set->inverseDensity[i] < 0)
+        set->inverseDensity[i] = static_cast<float>(1 / this->density(set->position(i)));
 }
 }  // namespace kalos

@@ -22,6 +22,7 @@ void walk(const Scene& scene, const Emission& emission, RandomStream random, OnS
   onStart(start);
   Bands weight = start.weight;
   Vec3 direction = start.direction;
+  bool fromPoint = start.fromPoint;
   Vec3 from = start.onSurface ? scene.offset(start.position, start.normal) : start.position;
   SurfacePoint point = scene.trace(from, direction);
   for (bool first = true;; first = false)
@@ -29,13 +30,14 @@ void walk(const Scene& scene, const Emission& emission, RandomStream random, OnS
     onSegment(from, direction, point, weight, first);
     if (!point.valid)
       return;
-    onCollision(point, -direction, weight);
+    onCollision(point, -direction, weight, fromPoint && !first);
 
     // Reflect, or be absorbed with the probability of the luminous share that the surface absorbs.
     const double u0 = random.next(), u1 = random.next(), u2 = random.next();
     const BrdfSample next = scene.brdf(point.triangle).sample(point.normal, -direction, weight, u0, u1, u2);
     if (!next.alive)
       return;
+    fromPoint = fromPoint && next.mirror;
     for (int b = 0; b < scene.bands(); ++b)
       weight[b] *= next.weight[b];
     direction = next.direction;
@@ -49,15 +51,16 @@ VertexPool traceTrajectories(const Scene& scene, const Emission& emission, std::
                              long long first, int count)
 {
   VertexPool pool(scene.bands());
-  auto keep = [&](const SurfacePoint& point, const Vec3& towardsLight, const Bands& weight) {
+  auto keep = [&](const SurfacePoint& point, const Vec3& towardsLight, const Bands& weight, bool caustic) {
     const Material& material = scene.material(point.triangle);
+    const double inverse = caustic ? 0 : -1;
     if (material.specular > 0)
-      return pool.glossy.addGlossy(scene, point, towardsLight, weight);
+      return pool.glossy.addGlossy(scene, point, towardsLight, weight, inverse);
     Bands reflected{};
     for (int b = 0; b < scene.bands(); ++b)
       reflected[b] = material.reflectance[b] * weight[b];
     if (photometric(reflected, scene.bands()) > 0)  // a mirror's vertex scores nothing
-      pool.reflected.add(scene, point.position, point.normal, reflected);
+      pool.reflected.add(scene, point.position, point.normal, reflected, inverse);
   };
   for (long long i = first; i < first + count; ++i)
   {

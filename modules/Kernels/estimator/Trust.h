@@ -2,7 +2,7 @@
 // When a standard error can be believed.
 //
 // Rule. The interval of a receiver is trusted unless
-//  (1) one single score makes up more than half a standard error of the mean: x_max / N > 0.5 SE. With a finite
+//  (1) one single score makes up more than half of the variance: x_max / N > SE / sqrt(2). With a finite
 //  variance the
 //      ratio falls as 1/sqrt(N); with the kernel's tail, whose variance is unbounded, it does not; or
 //  (2) the method scores the plain kernel and the vertices are too sparse to see the receiver's surroundings: of 64

@@ -24,9 +24,9 @@ void VertexSet::add(const Scene& scene, const Vec3& p, const Vec3& n, const Band
 }
 
 void VertexSet::addGlossy(const Scene& scene, const SurfacePoint& point, const Vec3& towardsLight,
-                          const Bands& incidentFlux)
+                          const Bands& incidentFlux, double inverse)
 {
-  this->add(scene, point.position, point.normal, incidentFlux);
+  this->add(scene, point.position, point.normal, incidentFlux, inverse);
   this->brdf.push_back(&scene.brdf(point.triangle));
   this->incident.push_back(towardsLight);
 }

@@ -15,9 +15,9 @@ namespace kalos
 struct VertexSet
 {
   std::vector<float> px, py, pz, nx, ny, nz;
-  std::vector<float> offset;             ///< m along n to where shadow rays start
-  std::vector<float> inverseDensity;     ///< m2 and trajectories per vertex about here; 0 unless noted
-  std::vector<float> luminous;           ///< lm, photometric total of the bands
+  std::vector<float> offset;          ///< m along n to where shadow rays start
+  std::vector<float> inverseDensity;  ///< m2 and trajectories per vertex about here; < 0: to be noted, 0: scored whole
+  std::vector<float> luminous;        ///< lm, photometric total of the bands
   std::vector<std::vector<float>> flux;  ///< lm, one array per band
   std::vector<const Brdf*> brdf;         ///< of glossy vertices; empty in a Lambertian set
   std::vector<Vec3> incident;            ///< unit, towards where the light comes from; with brdf
@@ -31,8 +31,9 @@ struct VertexSet
   /// A number for random streams that tells vertices apart, from the bits of the position.
   long long key(std::size_t i) const;
 
-  void add(const Scene& scene, const Vec3& p, const Vec3& n, const Bands& m, double inverse = 0);
-  void addGlossy(const Scene& scene, const SurfacePoint& point, const Vec3& towardsLight, const Bands& incidentFlux);
+  void add(const Scene& scene, const Vec3& p, const Vec3& n, const Bands& m, double inverse = -1);
+  void addGlossy(const Scene& scene, const SurfacePoint& point, const Vec3& towardsLight, const Bands& incidentFlux,
+                 double inverse = -1);
   void append(const VertexSet& other);
 };
 }  // namespace kalos

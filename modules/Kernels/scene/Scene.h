@@ -65,6 +65,13 @@ public:
   /// Moves p off its surface: by a few units in the last place of single precision at p.
   Vec3 offset(const Vec3& p, const Vec3& n) const { return p + (offsetScale * (maxAbs(p) + 0.05 * this->Size)) * n; }
 
+  /// Where shadow rays to a point luminaire end: a lamp mounted flush with a ceiling shines into the room.
+  Vec3 shadowTarget(const Luminaire& luminaire) const
+  {
+    const bool flush = luminaire.distribution == Distribution::Lambertian;
+    return flush ? this->offset(luminaire.position, luminaire.axis) : luminaire.position;
+  }
+
   /// A sensor at p with unit normal n that lies exactly on an edge, in a corner or at the foot of an object belongs to
   /// the front side of every other surface it touches: moves it there, by at most a few offsets.
   Vec3 settle(const Vec3& p, const Vec3& n) const;

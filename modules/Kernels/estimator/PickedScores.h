@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shadow rays only where they pay: vertices picked in proportion to their unshadowed scores.
+#ifndef kalos_estimator_PickedScores_h
+#define kalos_estimator_PickedScores_h
+
+#include "estimator/PairKernel.h"
+
+namespace kalos
+{
+/// How shadow rays are spent on a block: `rays` null where nothing can occlude, else at most `picks` (1..16) of them go
+/// to pairs picked in proportion to their luminous scores, systematically from one random number u in [0,1).
+struct ShadowPicks
+{
+  const RayScene* rays;
+  int picks;
+  double u;
+};
+
+/// An unbiased estimate of formPairs(), keepVisible() and addScores() together. Returns the largest luminous score.
+double addPickedScores(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double share,
+                       const ShadowPicks& shadows, double* sum);
+}  // namespace kalos
+
+#endif
