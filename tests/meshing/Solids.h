@@ -15,7 +15,8 @@ using kalos::meshing::TriangleMesh;
 inline void addTriangle(TriangleMesh& mesh, const Point& a, const Point& b, const Point& c, std::uint32_t material = 0)
 {
   const auto first = static_cast<std::uint32_t>(mesh.points.size());
-  mesh.points.insert(mesh.points.end(), {a, b, c});
+  for (const Point& p : {a, b, c})
+    mesh.points.push_back(p);
   mesh.triangles.push_back({first, first + 1, first + 2});
   mesh.origin.push_back(static_cast<std::uint32_t>(mesh.origin.size()));
   mesh.material.push_back(material);

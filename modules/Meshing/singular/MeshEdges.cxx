@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/SortedSides.h"
 #include "singular/EdgeAngles.h"
 
 namespace kalos::meshing
@@ -25,36 +26,6 @@ struct DoubleTraits : OpenMesh::DefaultTraits
   EdgeAttributes(OpenMesh::Attributes::None);
 };
 using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
-
-/// One side of a triangle as an undirected edge.
-struct Side
-{
-  std::uint32_t low, high;
-  std::uint32_t triangle;
-  bool upwards;  ///< the triangle runs from low to high
-
-  bool sameEdge(const Side& o) const { return this->low == o.low && this->high == o.high; }
-};
-
-std::vector<Side> sortedSides(const TriangleMesh& mesh)
-{
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), t, a < b});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    if (a.low != b.low)
-      return a.low < b.low;
-    return a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
-  });
-  return sides;
-}
 
 class Classifier
 {
@@ -149,15 +120,7 @@ void appendMeshEdges(const TriangleMesh& mesh, const EdgeSettings& settings, Edg
   // Triangles at an edge of three or more, or of two that disagree, cannot be stored in half-edges.
   const std::vector<Side> sides = sortedSides(mesh);
   std::vector<std::uint8_t> marks(mesh.triangles.size(), 1);
-  const auto forEachEdge = [&](const auto& visit) {
-    for (std::size_t first = 0, last = 0; first < sides.size(); first = last)
-    {
-      while (last < sides.size() && sides[last].sameEdge(sides[first]))
-        ++last;
-      visit(first, last);
-    }
-  };
-  forEachEdge([&](std::size_t first, std::size_t last) {
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
     if (last - first > 2 || (last - first == 2 && sides[first].upwards == sides[first + 1].upwards))
     {
       for (std::size_t i = first; i < last; ++i)
@@ -185,7 +148,7 @@ void appendMeshEdges(const TriangleMesh& mesh, const EdgeSettings& settings, Edg
 
   // All others: from the sorted sides.
   std::vector<std::uint32_t> around;
-  forEachEdge([&](std::size_t first, std::size_t last) {
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
     around.clear();
     bool byHalfEdges = last - first == 2;
     for (std::size_t i = first; i < last; ++i)

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshConversion.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkKalosArrayNames.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+
+namespace kalos
+{
+namespace
+{
+using meshing::Point;
+using meshing::TriangleMesh;
+
+void AddTriangle(TriangleMesh& mesh, vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell)
+{
+  mesh.triangles.push_back(
+      {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+  mesh.origin.push_back(static_cast<std::uint32_t>(cell));
+}
+
+/** Whether a fan from the first corner covers the polygon. */
+bool IsConvex(const TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids)
+{
+  const Point& first = mesh.points[ids[0]];
+  Point normal{0, 0, 0};
+  for (vtkIdType i = 1; i + 1 < size; ++i)
+  {
+    normal = normal + cross(mesh.points[ids[i]] - first, mesh.points[ids[i + 1]] - first);
+  }
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const Point& corner = mesh.points[ids[i]];
+    const Point in = corner - mesh.points[ids[(i + size - 1) % size]];
+    const Point out = mesh.points[ids[(i + 1) % size]] - corner;
+    if (dot(cross(in, out), normal) < 0.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void AddPolygon(TriangleMesh& mesh, vtkPoints* points, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
+{
+  if (size > 3 && !IsConvex(mesh, size, ids))
+  {
+    vtkNew<vtkPolygon> polygon;
+    polygon->Initialize(static_cast<int>(size), ids, points);
+    vtkNew<vtkIdList> triangles;
+    if (polygon->Triangulate(triangles))
+    {
+      for (vtkIdType i = 0; i + 2 < triangles->GetNumberOfIds(); i += 3)
+      {
+        AddTriangle(mesh, ids[triangles->GetId(i)], ids[triangles->GetId(i + 1)], ids[triangles->GetId(i + 2)], cell);
+      }
+      return;
+    }
+  }
+  for (vtkIdType i = 1; i + 1 < size; ++i)
+  {
+    AddTriangle(mesh, ids[0], ids[i], ids[i + 1], cell);
+  }
+}
+
+void AddStrip(TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
+{
+  for (vtkIdType i = 0; i + 2 < size; ++i)
+  {
+    const vtkIdType odd = i % 2;
+    AddTriangle(mesh, ids[i + odd], ids[i + 1 - odd], ids[i + 2], cell);
+  }
+}
+
+bool SaysWhatASurfaceIs(vtkAbstractArray* array)
+{
+  if (vtkStringArray::SafeDownCast(array))
+  {
+    return true;
+  }
+  auto* values = vtkDataArray::SafeDownCast(array);
+  if (!values)
+  {
+    return false;
+  }
+  const int type = values->GetDataType();
+  if (type != VTK_FLOAT && type != VTK_DOUBLE)
+  {
+    return true;
+  }
+  const std::string name = array->GetName() ? array->GetName() : "";
+  using namespace vtkKalosArrayNames;
+  const auto names = {Reflectance, Specular, Roughness, Mirror, Exitance};
+  return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
+}
+
+/** A number per cell, the same for cells whose arrays agree. */
+std::vector<std::uint32_t> MaterialsOfCells(vtkPolyData* input)
+{
+  const auto cells = static_cast<std::size_t>(input->GetNumberOfCells());
+  std::vector<std::uint32_t> material(cells, 0);
+  vtkCellData* data = input->GetCellData();
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(a);
+    if (!SaysWhatASurfaceIs(array) || array->GetNumberOfTuples() < input->GetNumberOfCells())
+    {
+      continue;
+    }
+    // Refine the numbers so far by this array.
+    std::map<std::pair<std::uint32_t, std::vector<double>>, std::uint32_t> numbers;
+    std::map<std::pair<std::uint32_t, std::string>, std::uint32_t> namedNumbers;
+    auto* strings = vtkStringArray::SafeDownCast(array);
+    auto* values = vtkDataArray::SafeDownCast(array);
+    const int components = array->GetNumberOfComponents();
+    std::vector<double> tuple(static_cast<std::size_t>(components));
+    for (std::size_t cell = 0; cell < cells; ++cell)
+    {
+      const auto id = static_cast<vtkIdType>(cell);
+      if (strings)
+      {
+        std::string text;
+        for (int c = 0; c < components; ++c)
+        {
+          text += strings->GetValue(id * components + c) + '\n';
+        }
+        const auto next = static_cast<std::uint32_t>(namedNumbers.size());
+        material[cell] = namedNumbers.emplace(std::make_pair(material[cell], text), next).first->second;
+      }
+      else
+      {
+        values->GetTuple(id, tuple.data());
+        const auto next = static_cast<std::uint32_t>(numbers.size());
+        material[cell] = numbers.emplace(std::make_pair(material[cell], tuple), next).first->second;
+      }
+    }
+  }
+  return material;
+}
+}  // namespace
+
+ConvertedMesh ConvertMesh(vtkPolyData* input)
+{
+  ConvertedMesh result;
+  TriangleMesh& mesh = result.Mesh;
+  if (!input || !input->GetPoints() || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  {
+    throw std::invalid_argument("the input has no polygons; expected a surface");
+  }
+  if (input->GetNumberOfPoints() >= std::numeric_limits<std::uint32_t>::max())
+  {
+    throw std::invalid_argument("the input has more than 4294967294 points; expected fewer");
+  }
+  mesh.points.resize(static_cast<std::size_t>(input->GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    input->GetPoint(i, mesh.points[i].data());
+  }
+
+  // Cells are numbered vertices, lines, polygons, strips.
+  vtkIdType cell = result.Ignored = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  result.Polygons = input->GetNumberOfPolys() + input->GetNumberOfStrips();
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
+  for (const bool strips : {false, true})
+  {
+    auto items = vtk::TakeSmartPointer((strips ? input->GetStrips() : input->GetPolys())->NewIterator());
+    for (items->GoToFirstCell(); !items->IsDoneWithTraversal(); items->GoToNextCell(), ++cell)
+    {
+      items->GetCurrentCell(size, ids);
+      const bool allThere =
+          std::all_of(ids, ids + size, [&](vtkIdType id) { return id >= 0 && id < input->GetNumberOfPoints(); });
+      if (!allThere)
+      {
+        throw std::invalid_argument("cell " + std::to_string(cell) +
+                                    " uses a point that is not there; expected points 0 to " +
+                                    std::to_string(input->GetNumberOfPoints() - 1));
+      }
+      if (size < 3)
+      {
+        ++result.Degenerate;
+      }
+      else if (strips)
+      {
+        AddStrip(mesh, size, ids, cell);
+      }
+      else
+      {
+        AddPolygon(mesh, input->GetPoints(), size, ids, cell);
+      }
+    }
+  }
+  const std::vector<std::uint32_t> material = MaterialsOfCells(input);
+  mesh.material.reserve(mesh.origin.size());
+  for (const std::uint32_t origin : mesh.origin)
+  {
+    mesh.material.push_back(material[origin]);
+  }
+  meshing::check(mesh);
+  return result;
+}
+
+void FillPolyData(const TriangleMesh& mesh, vtkPolyData* input, vtkPolyData* output)
+{
+  output->Initialize();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.points.size()));
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), mesh.points[i].data());
+  }
+  vtkNew<vtkCellArray> polygons;
+  polygons->AllocateExact(static_cast<vtkIdType>(mesh.triangles.size()),
+                          static_cast<vtkIdType>(3 * mesh.triangles.size()));
+  vtkCellData* from = input->GetCellData();
+  vtkCellData* to = output->GetCellData();
+  to->CopyAllOn();
+  // Normals of the input cells may be of the other side.
+  if (from->GetNormals() && from->GetNormals()->GetName())
+  {
+    to->CopyFieldOff(from->GetNormals()->GetName());
+  }
+  to->CopyNormalsOff();
+  to->CopyAllocate(from, static_cast<vtkIdType>(mesh.triangles.size()));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const vtkIdType corners[3] = {mesh.triangles[t][0], mesh.triangles[t][1], mesh.triangles[t][2]};
+    polygons->InsertNextCell(3, corners);
+    to->CopyData(from, mesh.origin[t], static_cast<vtkIdType>(t));
+  }
+  output->SetPoints(points);
+  output->SetPolys(polygons);
+  output->GetFieldData()->PassData(input->GetFieldData());
+}
+
+meshing::Progress ProgressOf(vtkAlgorithm* algorithm)
+{
+  return [algorithm](double share) {
+    algorithm->UpdateProgress(share);
+    return !algorithm->GetAbortExecute();
+  };
+}
+}  // namespace kalos

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Surfaces between vtkPolyData and the meshing library. */
+#ifndef KalosMeshConversion_h
+#define KalosMeshConversion_h
+
+#include "mesh/TriangleMesh.h"
+#include "vtkType.h"
+
+class vtkAlgorithm;
+class vtkPolyData;
+
+namespace kalos
+{
+struct ConvertedMesh
+{
+  meshing::TriangleMesh Mesh;
+  vtkIdType Polygons = 0;    ///< polygons and strips taken
+  vtkIdType Ignored = 0;     ///< vertices and lines, which are no surface
+  vtkIdType Degenerate = 0;  ///< polygons of fewer than three corners
+};
+
+/**
+ * The polygons and strips as triangles. Throws std::invalid_argument without any, or if one has a bad point.
+ *
+ * Triangles have the same material number if their cells agree in every array that says what a surface is: the material
+ * arrays of vtkKalosArrayNames.h, and all integer and string arrays.
+ */
+ConvertedMesh ConvertMesh(vtkPolyData* input);
+
+/** The mesh as polygons of three corners with the cell arrays of `input`, each triangle those of its origin. */
+void FillPolyData(const meshing::TriangleMesh& mesh, vtkPolyData* input, vtkPolyData* output);
+
+/** Reports to the algorithm; stops when it is to abort. */
+meshing::Progress ProgressOf(vtkAlgorithm* algorithm);
+}  // namespace kalos
+
+#endif

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkKalosSingularEdges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "MeshConversion.h"
+#include "ReportTable.h"
+#include "singular/EdgeDistance.h"
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+
+namespace
+{
+constexpr double DegreesPerRadian = 180.0 / 3.14159265358979323846;
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+
+double Degrees(double radians)
+{
+  return std::isfinite(radians) ? DegreesPerRadian * radians : NotANumber;
+}
+
+void FillCurves(const kalos::meshing::Curves& curves, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const auto& p : curves.points)
+  {
+    points->InsertNextPoint(p.data());
+  }
+  vtkNew<vtkIntArray> kind;
+  kind->SetName(vtkKalosSingularEdges::EdgeClassArrayName());
+  vtkNew<vtkDoubleArray> front, back, severity;
+  front->SetName(vtkKalosSingularEdges::DihedralAngleArrayName());
+  back->SetName(vtkKalosSingularEdges::DihedralAngleBackArrayName());
+  severity->SetName(vtkKalosSingularEdges::SeverityArrayName());
+  vtkNew<vtkCellArray> lines;
+  for (const auto& curve : curves.curves)
+  {
+    lines->InsertNextCell(static_cast<int>(curve.count));
+    for (std::size_t i = curve.first; i < curve.first + curve.count; ++i)
+    {
+      lines->InsertCellPoint(curves.indices[i]);
+    }
+    kind->InsertNextValue(static_cast<int>(curve.edge.kind));
+    front->InsertNextValue(Degrees(curve.edge.front));
+    back->InsertNextValue(Degrees(curve.edge.back));
+    severity->InsertNextValue(curve.edge.severity);
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  for (vtkDataArray* array : {static_cast<vtkDataArray*>(kind), static_cast<vtkDataArray*>(front),
+                              static_cast<vtkDataArray*>(back), static_cast<vtkDataArray*>(severity)})
+  {
+    output->GetCellData()->AddArray(array);
+  }
+  output->GetCellData()->SetActiveScalars(vtkKalosSingularEdges::SeverityArrayName());
+}
+
+/** The curves at which the kernel is singular. */
+kalos::meshing::Curves Severe(const kalos::meshing::Curves& curves)
+{
+  kalos::meshing::Curves severe;
+  severe.points = curves.points;
+  severe.indices = curves.indices;
+  std::copy_if(curves.curves.begin(), curves.curves.end(), std::back_inserter(severe.curves),
+               [](const kalos::meshing::Curve& c) { return c.edge.severity > 0.0; });
+  return severe;
+}
+
+/** Attach distance and angle to a data set's points, or to its cells where only these have normals. */
+void AttachDistances(const kalos::meshing::EdgeDistance& tree, const kalos::meshing::Curves& curves, bool bothSides,
+                     vtkDataSet* receivers)
+{
+  const bool cells = !receivers->GetPointData()->GetNormals() && receivers->GetCellData()->GetNormals();
+  const vtkIdType count = cells ? receivers->GetNumberOfCells() : receivers->GetNumberOfPoints();
+  vtkNew<vtkDoubleArray> distance, angle;
+  distance->SetName(vtkKalosSingularEdges::EdgeDistanceArrayName());
+  angle->SetName(vtkKalosSingularEdges::EdgeAngleArrayName());
+  distance->SetNumberOfTuples(count);
+  angle->SetNumberOfTuples(count);
+  std::vector<double> weights(static_cast<std::size_t>(std::max(1, receivers->GetMaxCellSize())));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    kalos::meshing::Point place{0, 0, 0};
+    if (cells)
+    {
+      vtkCell* cell = receivers->GetCell(i);
+      double centre[3];
+      int part = cell->GetParametricCenter(centre);
+      cell->EvaluateLocation(part, centre, place.data(), weights.data());
+    }
+    else
+    {
+      receivers->GetPoint(i, place.data());
+    }
+    const auto nearest = tree.nearest(place);
+    distance->SetValue(i, nearest.distance);
+    if (std::isfinite(nearest.distance))
+    {
+      const auto& edge = curves.curves[nearest.curve].edge;
+      angle->SetValue(i, Degrees(bothSides ? std::min(edge.front, edge.back) : edge.front));
+    }
+    else
+    {
+      angle->SetValue(i, NotANumber);
+    }
+  }
+  vtkDataSetAttributes* data = cells ? static_cast<vtkDataSetAttributes*>(receivers->GetCellData())
+                                     : static_cast<vtkDataSetAttributes*>(receivers->GetPointData());
+  data->AddArray(distance);
+  data->AddArray(angle);
+}
+
+/** A copy with data sets of its own, so that arrays added to them do not show in the input. */
+void CopyReceivers(vtkDataObject* input, vtkDataObject* output)
+{
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(input);
+  if (!blocks)
+  {
+    output->ShallowCopy(input);
+    return;
+  }
+  auto* copies = vtkMultiBlockDataSet::SafeDownCast(output);
+  copies->CopyStructure(blocks);
+  auto items = vtk::TakeSmartPointer(blocks->NewIterator());
+  for (items->InitTraversal(); !items->IsDoneWithTraversal(); items->GoToNextItem())
+  {
+    auto leaf = vtk::TakeSmartPointer(items->GetCurrentDataObject()->NewInstance());
+    leaf->ShallowCopy(items->GetCurrentDataObject());
+    copies->SetDataSet(items, leaf);
+  }
+  copies->GetFieldData()->PassData(blocks->GetFieldData());
+}
+
+void AttachAllDistances(const kalos::meshing::Curves& all, bool bothSides, vtkDataObject* receivers)
+{
+  const kalos::meshing::Curves curves = Severe(all);
+  const kalos::meshing::EdgeDistance tree(curves);
+  if (auto* leaf = vtkDataSet::SafeDownCast(receivers))
+  {
+    AttachDistances(tree, curves, bothSides, leaf);
+  }
+  else if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(receivers))
+  {
+    auto items = vtk::TakeSmartPointer(blocks->NewIterator());
+    for (items->InitTraversal(); !items->IsDoneWithTraversal(); items->GoToNextItem())
+    {
+      if (auto* block = vtkDataSet::SafeDownCast(items->GetCurrentDataObject()))
+      {
+        AttachDistances(tree, curves, bothSides, block);
+      }
+    }
+  }
+}
+
+void FillReport(const kalos::ConvertedMesh& input, const kalos::meshing::EdgeReport& counts, vtkTable* table)
+{
+  kalos::ReportTable report(table);
+  const char* names[] = {"concave edges", "convex edges",       "coplanar edges",
+                         "border edges",  "non-manifold edges", "contact pieces"};
+  for (int i = 0; i < kalos::meshing::numberOfEdgeClasses; ++i)
+  {
+    report.Add(names[i], "", static_cast<double>(counts.edges[i]));
+  }
+  report.Add("edges whose triangles face opposite ways", "", static_cast<double>(counts.inconsistent));
+  report.Add("degenerate triangles left out", "", static_cast<double>(counts.degenerate));
+  report.Add("coincident triangles left out", "", static_cast<double>(counts.duplicate));
+  report.Add("vertices and lines ignored", "", static_cast<double>(input.Ignored));
+  report.Add("tolerance", "m", counts.tolerance);
+}
+}  // namespace
+
+vtkStandardNewMacro(vtkKalosSingularEdges);
+
+vtkKalosSingularEdges::vtkKalosSingularEdges()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+vtkPolyData* vtkKalosSingularEdges::GetOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+vtkTable* vtkKalosSingularEdges::GetReport()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+int vtkKalosSingularEdges::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    return 1;
+  }
+  // The composite type comes first: all blocks are taken together, not one by one.
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+int vtkKalosSingularEdges::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const char* types[] = {"vtkPolyData", "vtkDataObject", "vtkTable"};
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
+  return 1;
+}
+
+vtkTypeBool vtkKalosSingularEdges::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                                                  vtkInformationVector* outputs)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->RequestDataObject(inputs, outputs);
+  }
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return this->RequestData(inputs, outputs);
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+int vtkKalosSingularEdges::RequestDataObject(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataObject* receivers = vtkDataObject::GetData(inputs[1]);
+  vtkSmartPointer<vtkDataObject> wanted[] = {vtkSmartPointer<vtkPolyData>::New(), vtkSmartPointer<vtkPolyData>::New(),
+                                             vtkSmartPointer<vtkTable>::New()};
+  if (receivers)
+  {
+    wanted[1] = vtk::TakeSmartPointer(receivers->NewInstance());
+  }
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkInformation* info = outputs->GetInformationObject(port);
+    vtkDataObject* there = vtkDataObject::GetData(info);
+    if (!there || !there->IsA(wanted[port]->GetClassName()))
+    {
+      info->Set(vtkDataObject::DATA_OBJECT(), wanted[port]);
+    }
+  }
+  return 1;
+}
+
+int vtkKalosSingularEdges::RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPolyData* curvesOutput = vtkPolyData::GetData(outputs, 0);
+  vtkDataObject* receiversOutput = vtkDataObject::GetData(outputs, 1);
+  vtkTable* table = vtkTable::GetData(outputs, 2);
+  try
+  {
+    if (!(this->FlatAngle > 0.0 && this->FlatAngle <= 45.0))
+    {
+      throw std::invalid_argument("FlatAngle is not allowed; expected degrees above 0, at most 45");
+    }
+    if (!(this->Tolerance >= 0.0 && std::isfinite(this->Tolerance)))
+    {
+      throw std::invalid_argument("Tolerance is not allowed; expected metres above 0, or 0 for automatic");
+    }
+    const kalos::ConvertedMesh input = kalos::ConvertMesh(vtkPolyData::GetData(inputs[0]));
+    kalos::meshing::EdgeSettings settings;
+    settings.tolerance = this->Tolerance;
+    settings.flat = this->FlatAngle / DegreesPerRadian;
+    settings.bothSides = this->BothSides;
+    settings.wanted = {this->ConcaveEdges, this->ConvexEdges,      this->CoplanarEdges,
+                       this->BorderEdges,  this->NonManifoldEdges, this->ContactEdges};
+    const kalos::meshing::Curves curves =
+        kalos::meshing::findSingularEdges(input.Mesh, settings, kalos::ProgressOf(this));
+    if (vtkDataObject* receivers = vtkDataObject::GetData(inputs[1]))
+    {
+      CopyReceivers(receivers, receiversOutput);
+      AttachAllDistances(curves, this->BothSides, receiversOutput);
+    }
+    FillCurves(curves, curvesOutput);
+    FillReport(input, curves.report, table);
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    curvesOutput->Initialize();
+    receiversOutput->Initialize();
+    table->Initialize();
+    if (dynamic_cast<const kalos::meshing::Stopped*>(&error))
+    {
+      return 1;
+    }
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}
+
+void vtkKalosSingularEdges::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ConcaveEdges: " << this->ConcaveEdges << "\n";
+  os << indent << "ConvexEdges: " << this->ConvexEdges << "\n";
+  os << indent << "CoplanarEdges: " << this->CoplanarEdges << "\n";
+  os << indent << "BorderEdges: " << this->BorderEdges << "\n";
+  os << indent << "NonManifoldEdges: " << this->NonManifoldEdges << "\n";
+  os << indent << "ContactEdges: " << this->ContactEdges << "\n";
+  os << indent << "FlatAngle: " << this->FlatAngle << "\n";
+  os << indent << "BothSides: " << this->BothSides << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+}

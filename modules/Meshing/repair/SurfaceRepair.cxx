@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repair/SurfaceRepair.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "mesh/SortedSides.h"
+
+namespace kalos::meshing
+{
+namespace
+{
+/// For each triangle the number of the connected surface it is of: connected over edges of two triangles.
+std::vector<std::uint32_t> surfacesOf(const TriangleMesh& mesh, std::size_t& count)
+{
+  std::vector<std::uint32_t> parent(mesh.triangles.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto find = [&](std::uint32_t i) {
+    while (parent[i] != i)
+      i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  const std::vector<Side> sides = sortedSides(mesh);
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
+    if (last - first == 2)
+      parent[find(sides[first].triangle)] = find(sides[first + 1].triangle);
+  });
+  std::vector<std::uint32_t> surface(mesh.triangles.size());
+  std::vector<std::uint32_t> number(mesh.triangles.size(), 0);
+  count = 0;
+  for (std::uint32_t t = 0; t < surface.size(); ++t)
+  {
+    const std::uint32_t root = find(t);
+    if (number[root] == 0)
+      number[root] = static_cast<std::uint32_t>(++count);
+    surface[t] = number[root] - 1;
+  }
+  return surface;
+}
+
+/// What speaks for turning a surface back after all its triangles were made to agree.
+struct Votes
+{
+  double turned = 0.0, unturned = 0.0;  // area, m²
+  bool sidedTurned = false, sidedUnturned = false;
+};
+
+/// Choose the side of each surface.
+void chooseSides(TriangleMesh& mesh, const RepairSettings& settings, std::vector<std::uint8_t>& turned,
+                 RepairReport& report)
+{
+  const std::vector<std::uint32_t> surface = surfacesOf(mesh, report.surfaces);
+  std::vector<Votes> votes(report.surfaces);
+  const auto sided = [&](std::size_t t) {
+    return mesh.origin[t] < settings.sided.size() && settings.sided[mesh.origin[t]];
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    Votes& v = votes[surface[t]];
+    (turned[t] ? v.turned : v.unturned) += norm(doubledArea(mesh, mesh.triangles[t]));
+    if (sided(t))
+      (turned[t] ? v.sidedTurned : v.sidedUnturned) = true;
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const Votes& v = votes[surface[t]];
+    const bool disagree = v.sidedTurned && v.sidedUnturned;
+    const bool flip = v.sidedTurned || (!v.sidedUnturned && v.turned > v.unturned);
+    if (disagree ? turned[t] != 0 : flip)
+    {
+      std::swap(mesh.triangles[t][0], mesh.triangles[t][2]);
+      turned[t] = !turned[t];
+    }
+    if (disagree && sided(t))
+      report.unrepaired.push_back({mesh.origin[t], "emitting triangles of one surface face opposite ways; left so"});
+    report.turned += turned[t];
+  }
+}
+
+void nameDuplicates(const TriangleMesh& mesh, std::vector<Unrepaired>& unrepaired)
+{
+  std::vector<std::pair<Triangle, std::uint32_t>> sorted;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    sorted.emplace_back(mesh.triangles[t], mesh.origin[t]);
+    std::sort(sorted.back().first.begin(), sorted.back().first.end());
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+  {
+    if (sorted[i].first == sorted[i - 1].first)
+      unrepaired.push_back({sorted[i].second, "the same corners as another cell, of another material; both kept"});
+  }
+}
+}  // namespace
+
+EdgeCounts countEdges(const TriangleMesh& mesh)
+{
+  EdgeCounts counts;
+  const std::vector<Side> sides = sortedSides(mesh);
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
+    counts.border += last - first == 1;
+    counts.nonManifold += last - first > 2;
+  });
+  return counts;
+}
+
+RepairReport repair(TriangleMesh& mesh, const RepairSettings& settings, const Progress& progress)
+{
+  check(mesh);
+  RepairReport result;
+  result.pointsBefore = mesh.points.size();
+  result.trianglesBefore = mesh.triangles.size();
+  result.areaBefore = area(mesh);
+  result.boundsBefore = bounds(mesh);
+  result.tolerance = tolerance(mesh, settings.tolerance);
+  result.borderBefore = countEdges(mesh).border;
+  report(progress, 0.05);
+
+  result.pointsUnused = dropUnusedPoints(mesh);
+  result.pointsMerged = mergePoints(mesh, result.tolerance);
+  result.degenerate = dropDegenerate(mesh, result.tolerance);
+  if (mesh.triangles.empty())
+    throw std::invalid_argument("every triangle is degenerate (lower than the tolerance of " +
+                                std::to_string(result.tolerance) + " m); expected at least one that is not");
+  const Duplicates duplicates = dropDuplicates(mesh);
+  result.duplicate = duplicates.dropped;
+  if (duplicates.kept > 0)
+    nameDuplicates(mesh, result.unrepaired);
+  report(progress, 0.25);
+
+  result.splitTriangles = splitBorders(mesh, result.tolerance);
+  result.nonManifoldBefore = countEdges(mesh).nonManifold;
+  report(progress, 0.4);
+
+  std::vector<std::uint8_t> turned;
+  result.pointsSplit = orient(mesh, turned);
+  report(progress, 0.85);
+  chooseSides(mesh, settings, turned, result);
+  dropUnusedPoints(mesh);
+
+  const EdgeCounts edges = countEdges(mesh);
+  result.borderAfter = edges.border;
+  result.nonManifoldAfter = edges.nonManifold;
+  result.pointsAfter = mesh.points.size();
+  result.trianglesAfter = mesh.triangles.size();
+  result.areaAfter = area(mesh);
+  result.boundsAfter = bounds(mesh);
+  report(progress, 1.0);
+  return result;
+}
+}  // namespace kalos::meshing

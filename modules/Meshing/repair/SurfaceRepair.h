@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Triangle soups made into surfaces. */
+#ifndef KalosMeshingSurfaceRepair_h
+#define KalosMeshingSurfaceRepair_h
+
+#include <string>
+
+#include "mesh/TriangleMesh.h"
+
+namespace kalos::meshing
+{
+struct RepairSettings
+{
+  double tolerance = 0.0;           ///< distance below which points are one, m; 0: a millionth of the diagonal
+  std::vector<std::uint8_t> sided;  ///< by origin: the triangle's side matters, as it emits; empty: none does
+};
+
+struct Unrepaired
+{
+  std::uint32_t origin;
+  const char* reason;
+};
+
+/** Counts; lengths in m, areas in m². */
+struct RepairReport
+{
+  std::size_t pointsBefore = 0, pointsAfter = 0, trianglesBefore = 0, trianglesAfter = 0;
+  std::size_t pointsMerged = 0, pointsUnused = 0, pointsSplit = 0;
+  std::size_t degenerate = 0, duplicate = 0;
+  std::size_t splitTriangles = 0;  ///< triangles cut where corners of others lay on their border
+  std::size_t turned = 0;
+  std::size_t borderBefore = 0, borderAfter = 0;            ///< edges of one triangle
+  std::size_t nonManifoldBefore = 0, nonManifoldAfter = 0;  ///< edges of three or more
+  std::size_t surfaces = 0;                                 ///< connected parts
+  double areaBefore = 0.0, areaAfter = 0.0, tolerance = 0.0;
+  Bounds boundsBefore, boundsAfter;
+  std::vector<Unrepaired> unrepaired;
+};
+
+/**
+ * Repairs a mesh in this order: merge points nearer than the tolerance; drop degenerate triangles (lower than the
+ * tolerance) and duplicates of the same material; cut triangles where corners of others lie on their border edges, and
+ * so stitch; give each connected surface one side, the one that most of its area has, or that its emitting triangles
+ * have; give non-manifold edges and vertices a point for each surface.
+ *
+ * What cannot be repaired stays and is named: duplicates of different materials, surfaces whose emitting triangles
+ * disagree. Throws as check() and report() do.
+ */
+RepairReport repair(TriangleMesh& mesh, const RepairSettings& settings, const Progress& progress = {});
+
+/** Cuts triangles where corners of border edges lie on their own border edges. Returns how many were cut. */
+std::size_t splitBorders(TriangleMesh& mesh, double distance);
+
+/** Points added for non-manifold edges and vertices. `turned` gets a mark for each triangle that now faces the other
+ * way. */
+std::size_t orient(TriangleMesh& mesh, std::vector<std::uint8_t>& turned);
+
+/** Edges by their number of triangles. */
+struct EdgeCounts
+{
+  std::size_t border = 0, nonManifold = 0;
+};
+EdgeCounts countEdges(const TriangleMesh& mesh);
+}  // namespace kalos::meshing
+
+#endif
