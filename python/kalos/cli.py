@@ -1,54 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command: options in, one line per error out. Everything it does is a function elsewhere in the package."""
-import argparse
-import math
 import sys
 
 from kalos import __version__
-from kalos.errors import BAD_INPUT, FAILED, KalosError
-from kalos.estimator import DEFAULT_METHOD, METHODS, Options
-
-
-class Parser(argparse.ArgumentParser):
-    """Errors as one line, like every other error of the command."""
-
-    def error(self, message):
-        message = message.removeprefix("argument ").replace("the following arguments are required: ", "missing ")
-        print(f"kalos: error: {message}; kalos {self.command} --help tells more".replace("kalos  --", "kalos --"),
-              file=sys.stderr)
-        sys.exit(BAD_INPUT)
-
-    @property
-    def command(self):
-        return " ".join(self.prog.split()[1:])
-
-
-def quantity(kind, expected, accept):
-    """An argparse type: a number that `accept` likes, else an error that says what is expected."""
-
-    def parse(text):
-        try:
-            value = kind(text)
-        except ValueError:
-            value = None
-        if value is None or not math.isfinite(value) or not accept(value):
-            raise argparse.ArgumentTypeError(f"{text!r} is not allowed, expected {expected}")
-        return value
-
-    return parse
-
-
-LENGTH = quantity(float, "auto, or a length > 0 in metres", lambda x: x > 0)
-COUNT = quantity(int, "a whole number from 1 to 9223372036854775807", lambda n: 1 <= n < 2**63)
-RELATIVE = quantity(float, "a relative error > 0 and < 1, such as 0.01", lambda x: 0 < x < 1)
-TIME = quantity(float, "a time > 0, in seconds", lambda x: x > 0)
-SEED = quantity(int, "a whole number from 0 to 2147483647", lambda n: 0 <= n < 2**31)
-THREADS = quantity(int, "a whole number from 0 (all) to 1024", lambda n: 0 <= n <= 1024)
-
-
-def length(text):
-    """A length in metres; None, which is automatic, for the word auto."""
-    return None if text == "auto" else LENGTH(text)
+from kalos.arguments import COUNT, RELATIVE, SEED, THREADS, TIME, Parser, length, sweep
+from kalos.errors import FAILED, KalosError
+from kalos.estimator import DEFAULT_METHOD, METHODS, REFERENCE_TRAJECTORIES, Options
 
 
 def parser():
@@ -59,8 +16,21 @@ def parser():
     solve = commands.add_parser("solve", help="solve a scene into a folder of tables and pictures")
     solve.add_argument("scene", metavar="SCENE.json", help="the scene file")
     solve.add_argument("--out", metavar="DIR", required=True, help="folder for the results; made if it is not there")
-    add_estimator_options(solve)
+    add_method_options(solve, DEFAULT_METHOD)
+    add_goals(solve)
     solve.set_defaults(run=run_solve)
+
+    study = commands.add_parser("study", help="solve a scene with every combination of settings and measure the errors")
+    study.add_argument("scene", metavar="SCENE.json", help="the scene file; its first camera is solved, or its receivers")
+    study.add_argument("--out", metavar="DIR", required=True, help="folder for the results; made if it is not there")
+    study.add_argument("--sweep", metavar="NAME=v1,v2,...", type=sweep, action="append", default=[],
+                       help="values of trajectories, delta, epsilon, method or seed; may be repeated: every combination")
+    study.add_argument("--table1", action="store_true",
+                       help="the three series of Budak et al. (2023), Table 1, instead of --sweep")
+    study.add_argument("--reference-trajectories", metavar="N", type=COUNT, default=REFERENCE_TRAJECTORIES,
+                       help="of the reference by compensated, kept in DIR for the next study (%(default)s)")
+    add_method_options(study, None)
+    study.set_defaults(run=run_study)
 
     validate = commands.add_parser("validate", help="hold every method against scenes with a closed-form answer")
     validate.add_argument("--method", choices=METHODS, action="append", metavar="METHOD",
@@ -72,28 +42,49 @@ def parser():
     return top
 
 
-def add_estimator_options(command):
+def add_method_options(command, method):
+    """What a single estimate depends on; `method` is the default."""
     defaults = Options()
     add = command.add_argument
-    add("--method", choices=METHODS, default=DEFAULT_METHOD, metavar="METHOD",
-        help=f"one of {', '.join(METHODS)} (%(default)s)")
+    add("--method", choices=METHODS, default=method, metavar="METHOD",
+        help=f"one of {', '.join(METHODS)} ({method or f'{DEFAULT_METHOD}; sphere-published with --table1'})")
     add("--trajectories", metavar="N", type=COUNT,
         help="at most so many trajectories (10000; no limit with --error or --time)")
     add("--delta", metavar="M", type=length,
         help="distance below which the methods with a neighbourhood alter the kernel, m (auto: from the vertices' density)")
     add("--epsilon", metavar="M", type=length, help="radius of the neighbourhood, m (auto: likewise)")
+    add("--seed", metavar="K", type=SEED, default=defaults.seed, help="seed of the random numbers (%(default)s)")
+    add("--threads", metavar="T", type=THREADS, default=defaults.threads, help="threads, 0 for all (%(default)s)")
+
+
+def add_goals(command):
+    add = command.add_argument
     add("--error", metavar="E", type=RELATIVE,
         help="stop when every 95 %% half-width is within E of its value (off)")
     add("--time", metavar="SECONDS", type=TIME, help="stop each solve after so many seconds (off)")
-    add("--seed", metavar="K", type=SEED, default=defaults.seed, help="seed of the random numbers (%(default)s)")
-    add("--threads", metavar="T", type=THREADS, default=defaults.threads, help="threads, 0 for all (%(default)s)")
+
+
+def options_of(arguments):
+    given = {name: getattr(arguments, name, None) for name in Options.__dataclass_fields__}
+    return Options(**{name: value for name, value in given.items() if value is not None})
 
 
 def run_solve(arguments):
     from kalos.solve import solve
 
-    options = Options(**{name: getattr(arguments, name) for name in Options.__dataclass_fields__})
-    solve(arguments.scene, arguments.out, options, say=print)
+    solve(arguments.scene, arguments.out, options_of(arguments), say=print)
+    return 0
+
+
+def run_study(arguments):
+    from kalos.study import study
+
+    from kalos.sweep import combinations, table1
+
+    if arguments.table1 and not arguments.method:
+        arguments.method = "sphere-published"
+    rows = (table1 if arguments.table1 else combinations)(arguments.sweep, options_of(arguments))
+    study(arguments.scene, arguments.out, rows, arguments.reference_trajectories, say=print)
     return 0
 
 

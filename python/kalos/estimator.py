@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from kalos.errors import KalosError
 
 DEFAULT_METHOD = "compensated"
+REFERENCE_METHOD = "compensated"  # unbiased everywhere: what studies take for the truth
+REFERENCE_TRAJECTORIES = 100000
+REFERENCE_SEED = 2**31 - 1  # one that no study is likely to use, so that reference and estimate are independent
 
 # As vtkKalosIlluminance::Method numbers them.
 METHODS = {"compensated": 5, "gathered": 6, "local": 0, "sphere-published": 1, "sphere-exact": 2, "disc": 3, "clamped": 4,

@@ -90,7 +90,8 @@ def illuminance(reader, options):
     estimator.SetInputConnection(0, reader.GetOutputPort(2))
     estimator.SetInputConnection(1, reader.GetOutputPort(0))
     estimator.SetInputConnection(2, reader.GetOutputPort(1))
-    options.apply(estimator)
+    if options:
+        options.apply(estimator)
     return estimator
 
 
@@ -108,7 +109,8 @@ def luminance_image(reader, index, options):
     reader.GetCameraResolution(index, resolution)
     estimator.SetResolution(resolution)
     estimator.SetFieldOfView(reader.GetCameraFieldOfView(index))
-    options.apply(estimator)
+    if options:
+        options.apply(estimator)
     return estimator
 
 
