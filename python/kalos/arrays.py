@@ -3,6 +3,7 @@
 
 REFLECTANCE = "Reflectance"
 EXITANCE = "Exitance"
+SURFACE_ID = "SurfaceId"
 SURFACE_NAMES = "SurfaceNames"
 
 ILLUMINANCE = "Illuminance"

@@ -32,6 +32,13 @@ def parser():
     add_method_options(study, None)
     study.set_defaults(run=run_study)
 
+    prepare = commands.add_parser("prepare", help="repair a mesh, remesh it if wanted, and find its singular edges")
+    prepare.add_argument("mesh", metavar="IN", help="the mesh: .obj, .ply, .stl, .off, .gltf, .glb or .vtp, in metres")
+    prepare.add_argument("--out", metavar="OUT.vtp", required=True, help="file for the prepared surface")
+    prepare.add_argument("--edge-length", metavar="M", type=LENGTH, help="remesh to edges of about this length, m (off)")
+    prepare.add_argument("--report", metavar="FILE.json", help="file for what was done (none)")
+    prepare.set_defaults(run=run_prepare)
+
     validate = commands.add_parser("validate", help="hold every method against scenes with a closed-form answer")
     validate.add_argument("--method", choices=METHODS, action="append", metavar="METHOD",
                           help="only this method; may be repeated")
@@ -85,6 +92,13 @@ def run_study(arguments):
         arguments.method = "sphere-published"
     rows = (table1 if arguments.table1 else combinations)(arguments.sweep, options_of(arguments))
     study(arguments.scene, arguments.out, rows, arguments.reference_trajectories, say=print)
+    return 0
+
+
+def run_prepare(arguments):
+    from kalos.prepare import prepare
+
+    prepare(arguments.mesh, arguments.out, arguments.edge_length, arguments.report, say=print)
     return 0
 
 
