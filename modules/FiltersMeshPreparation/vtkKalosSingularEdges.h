@@ -26,14 +26,12 @@
  * receivers.
  * - 2, vtkTable: counts of edges by class, of contact pieces, and of what was left out (Quantity, Unit, Value).
  *
- * | property            | default  | meaning                                                                          |
- * |---------------------|----------|----------------------------------------------------------------------------------|
- * | ConcaveEdges, ContactEdges, NonManifoldEdges   | on  | return edges of these classes                              |
- * | ConvexEdges, CoplanarEdges, BorderEdges        | off | return edges of these classes                              |
- * | FlatAngle           | 0.5      | deviation from a straight angle that counts as none, degrees, above 0 to 45 | |
- * BothSides           | off      | judge an edge by the narrower of its two sides, not by the side of the normals    |
- * | Tolerance           | 0        | distance below which points are one and surfaces touch, m; 0: 10^-6 of the
- * diagonal |
+ * Properties:
+ * - ConcaveEdges, ContactEdges, NonManifoldEdges (on), ConvexEdges, CoplanarEdges, BorderEdges (off): classes to
+ * return.
+ * - FlatAngle (0.5): deviation from a straight angle that counts as none, degrees, above 0 to 45.
+ * - BothSides (off): judge an edge by the narrower of its two sides, not by the side of the normals.
+ * - Tolerance (0): distance below which points are one and surfaces touch, m; 0: 10^-6 of the diagonal.
  *
  * Method: neighbours by OpenMesh half-edges, by a sorted list of edges where half-edges cannot store them; contacts by
  * CGAL's intersection of bounding boxes and a test of each pair of triangles; distances by CGAL's tree of segments.

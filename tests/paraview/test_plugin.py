@@ -20,7 +20,8 @@ pv.LoadPlugin(PLUGIN, remote=False, ns=pv.__dict__)
 
 # Stem of each XML and the group of its proxy.
 STEMS = {"CalculationPlane": "sources", "LuminaireSource": "sources", "SceneReader": "sources", "EXRReader": "sources",
-         "EXRWriter": "writers", "FalseColor": "filters", "Illuminance": "filters", "LuminanceImage": "filters"}
+         "EXRWriter": "writers", "FalseColor": "filters", "Illuminance": "filters", "LuminanceImage": "filters",
+         "SurfaceRepair": "filters", "SurfaceRemesh": "filters", "SingularEdges": "filters"}
 
 
 def new_proxy(stem):

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkKalosSurfaceRepair.h"
+
+#include <cmath>
+#include <string>
+
+#include "MeshConversion.h"
+#include "ReportTable.h"
+#include "repair/SurfaceRepair.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkKalosArrayNames.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+namespace
+{
+/** By cell: whether it emits. */
+std::vector<std::uint8_t> EmittingCells(vtkPolyData* input)
+{
+  std::vector<std::uint8_t> emits;
+  if (vtkDataArray* exitance = input->GetCellData()->GetArray(vtkKalosArrayNames::Exitance))
+  {
+    emits.assign(static_cast<std::size_t>(exitance->GetNumberOfTuples()), 0);
+    for (vtkIdType i = 0; i < exitance->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < exitance->GetNumberOfComponents(); ++c)
+      {
+        emits[i] |= exitance->GetComponent(i, c) > 0.0;
+      }
+    }
+  }
+  return emits;
+}
+
+void FillReport(const kalos::ConvertedMesh& input, const kalos::meshing::RepairReport& done, vtkTable* table)
+{
+  kalos::ReportTable report(table);
+  const auto count = [&](const char* name, std::size_t value) { report.Add(name, "", static_cast<double>(value)); };
+  count("polygons", static_cast<std::size_t>(input.Polygons));
+  count("vertices and lines left out", static_cast<std::size_t>(input.Ignored));
+  count("polygons of fewer than 3 corners left out", static_cast<std::size_t>(input.Degenerate));
+  count("points before", done.pointsBefore);
+  count("points after", done.pointsAfter);
+  count("points merged", done.pointsMerged);
+  count("unused points dropped", done.pointsUnused);
+  count("points added at non-manifold edges and vertices", done.pointsSplit);
+  count("triangles before", done.trianglesBefore);
+  count("triangles after", done.trianglesAfter);
+  count("degenerate triangles dropped", done.degenerate);
+  count("duplicate triangles dropped", done.duplicate);
+  count("triangles cut to stitch", done.splitTriangles);
+  count("triangles turned", done.turned);
+  count("border edges before", done.borderBefore);
+  count("border edges after", done.borderAfter);
+  count("non-manifold edges before", done.nonManifoldBefore);
+  count("non-manifold edges after", done.nonManifoldAfter);
+  count("surfaces", done.surfaces);
+  count("cells not repaired", done.unrepaired.size());
+  report.Add("tolerance", "m", done.tolerance);
+  report.Add("area before", "m\xC2\xB2", done.areaBefore);
+  report.Add("area after", "m\xC2\xB2", done.areaAfter);
+  for (int i = 0; i < 3; ++i)
+  {
+    const std::string axis(1, "xyz"[i]);
+    report.Add("smallest " + axis + " before", "m", done.boundsBefore.low[i]);
+    report.Add("largest " + axis + " before", "m", done.boundsBefore.high[i]);
+    report.Add("smallest " + axis + " after", "m", done.boundsAfter.low[i]);
+    report.Add("largest " + axis + " after", "m", done.boundsAfter.high[i]);
+  }
+}
+
+void NameUnrepaired(const std::vector<kalos::meshing::Unrepaired>& unrepaired, vtkPolyData* output)
+{
+  vtkNew<vtkStringArray> names;
+  names->SetName(vtkKalosSurfaceRepair::UnrepairedArrayName());
+  names->SetNumberOfComponents(2);
+  for (const auto& entry : unrepaired)
+  {
+    names->InsertNextValue(std::to_string(entry.origin));
+    names->InsertNextValue(entry.reason);
+  }
+  output->GetFieldData()->AddArray(names);
+}
+}  // namespace
+
+vtkStandardNewMacro(vtkKalosSurfaceRepair);
+
+vtkKalosSurfaceRepair::vtkKalosSurfaceRepair()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkTable* vtkKalosSurfaceRepair::GetReport()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkKalosSurfaceRepair::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+int vtkKalosSurfaceRepair::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  vtkTable* table = vtkTable::GetData(outputs, 1);
+  try
+  {
+    if (!(this->Tolerance >= 0.0 && std::isfinite(this->Tolerance)))
+    {
+      throw std::invalid_argument("Tolerance is not allowed; expected metres above 0, or 0 for automatic");
+    }
+    kalos::ConvertedMesh converted = kalos::ConvertMesh(input);
+    kalos::meshing::RepairSettings settings;
+    settings.tolerance = this->Tolerance;
+    settings.sided = EmittingCells(input);
+    const auto done = kalos::meshing::repair(converted.Mesh, settings, kalos::ProgressOf(this));
+    kalos::FillPolyData(converted.Mesh, input, output);
+    NameUnrepaired(done.unrepaired, output);
+    FillReport(converted, done, table);
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    table->Initialize();
+    if (dynamic_cast<const kalos::meshing::Stopped*>(&error))
+    {
+      return 1;
+    }
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}
+
+void vtkKalosSurfaceRepair::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+}

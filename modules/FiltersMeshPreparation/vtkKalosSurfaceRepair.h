@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkKalosSurfaceRepair
+ * @brief   make a triangle soup into surfaces
+ *
+ * Input, vtkPolyData: polygons and strips in any state. Output port 0, vtkPolyData: triangles with the cell arrays of
+ * the cells they come from, and the field data; point data and cell normals are not kept, and vertices and lines are
+ * left out. Output port 1, vtkTable (Quantity, Unit, Value): everything that was done, with counts, areas (m²) and
+ * bounds (m) before and after. Coordinates are metres.
+ *
+ * In this order:
+ * -# merge points nearer than Tolerance;
+ * -# drop degenerate triangles (lower than Tolerance) and triangles on the same corners and of the same material;
+ * -# cut triangles where corners of others lie on their border edges, which stitches T-junctions;
+ * -# turn triangles, so that each connected surface has one side: the one that most of its area had. Where triangles
+ * emit (Exitance above 0) theirs decides, as light leaves on it;
+ * -# give non-manifold edges and vertices a point for each surface (CGAL).
+ *
+ * Materials are what the material arrays and all integer and string cell arrays say. What cannot be repaired stays as
+ * it was and is named in the field data array Unrepaired (strings, 2 components: cell of the input, reason): coincident
+ * triangles of different materials, and surfaces whose emitting triangles face opposite ways. Holes stay; their edges
+ * are counted.
+ *
+ * Property: Tolerance (0), the distance below which points are one, m; 0: 10^-6 of the diagonal of the input.
+ *
+ * Progress is reported and AbortExecute obeyed; then the outputs are empty.
+ *
+ * Errors: no polygons, all degenerate, a point that is missing, NaN or infinite, a Tolerance below 0: one error event
+ * and empty outputs. A build with this class contains CGAL code and is distributed under GPL-3.0-or-later.
+ */
+#ifndef vtkKalosSurfaceRepair_h
+#define vtkKalosSurfaceRepair_h
+
+#include "vtkKalosFiltersMeshPreparationModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class vtkTable;
+
+class VTKKALOSFILTERSMESHPREPARATION_EXPORT vtkKalosSurfaceRepair : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkKalosSurfaceRepair* New();
+  vtkTypeMacro(vtkKalosSurfaceRepair, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Distance below which points are one, m; 0 for a millionth of the diagonal. */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  /** What was done, output port 1. */
+  vtkTable* GetReport();
+
+  /** Name of the field data array of what could not be repaired. */
+  static const char* UnrepairedArrayName() { return "Unrepaired"; }
+
+protected:
+  vtkKalosSurfaceRepair();
+  ~vtkKalosSurfaceRepair() override = default;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  double Tolerance = 0.0;
+
+private:
+  vtkKalosSurfaceRepair(const vtkKalosSurfaceRepair&) = delete;
+  void operator=(const vtkKalosSurfaceRepair&) = delete;
+};
+
+#endif
