@@ -3,9 +3,11 @@
 import sys
 
 from kalos import __version__
-from kalos.arguments import COUNT, RELATIVE, SEED, THREADS, TIME, Parser, length, sweep
+from kalos.arguments import COUNT, RELATIVE, SEED, THREADS, TIME, Parser, length, quantity, sweep
 from kalos.errors import FAILED, KalosError
 from kalos.estimator import DEFAULT_METHOD, METHODS, REFERENCE_TRAJECTORIES, Options
+
+EDGE_LENGTH = quantity(float, "a length > 0, in metres", lambda x: x > 0)
 
 
 def parser():
@@ -35,7 +37,7 @@ def parser():
     prepare = commands.add_parser("prepare", help="repair a mesh, remesh it if wanted, and find its singular edges")
     prepare.add_argument("mesh", metavar="IN", help="the mesh: .obj, .ply, .stl, .off, .gltf, .glb or .vtp, in metres")
     prepare.add_argument("--out", metavar="OUT.vtp", required=True, help="file for the prepared surface")
-    prepare.add_argument("--edge-length", metavar="M", type=LENGTH, help="remesh to edges of about this length, m (off)")
+    prepare.add_argument("--edge-length", metavar="M", type=EDGE_LENGTH, help="remesh to edges of about this length, m (off)")
     prepare.add_argument("--report", metavar="FILE.json", help="file for what was done (none)")
     prepare.set_defaults(run=run_prepare)
 
