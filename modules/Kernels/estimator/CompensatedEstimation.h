@@ -32,9 +32,10 @@ private:
   {
     long long first;
     int count;
-    int rays;  // gather rays per receiver and replicate
     const std::vector<VertexPool>& pools;
   };
+  double chooseRayShare(const Sensor& sensor) const;
+  int rays(std::size_t receiver, const Round& round) const;
   void scoreVertices(std::size_t receiver, int replicate, const Round& round, Tally& tally) const;
   void scoreGathered(std::size_t receiver, int replicate, const Round& round, Tally& tally) const;
 
@@ -43,7 +44,8 @@ private:
   Emission Source;
   DirectPart Direct;
   Gathering Rays;
-  long long RaysDone = 0;  // per receiver and replicate, in earlier rounds
+  std::vector<double> RayShare;     // gather rays per trajectory, per receiver
+  std::vector<long long> RaysDone;  // of a replicate in earlier rounds, per receiver
 };
 }  // namespace kalos
 

@@ -6,15 +6,20 @@
 namespace kalos
 {
 Gathering::Gathering(const Scene& scene, const Emission& emission, std::uint64_t seed, bool shadows)
-    : Lit(scene), Density(scene, emission, seed), Shadows(shadows), Luminaires(scene, false, shadows)
+    : Lit(scene), Density(scene, emission, seed), Shadows(shadows), Luminaires(scene, false, shadows), Mirrored(scene)
 {
+}
+
+namespace
+{
+constexpr double rayWorth = 4;
 }
 
 double Gathering::blockShare(int trajectories) const
 {
-  // One gather ray against the trajectories that a block stands for.
+  // One gather ray against the trajectories that a block stands for, worth four by measurement as in the first step.
   const double vertices = std::max(this->Density.collisions(), this->Density.starts()) * trajectories;
-  return 1 / (trajectories * std::min(1.0, blockSize / vertices));
+  return rayWorth / (trajectories * std::min(1.0, blockSize / vertices));
 }
 
 bool Gathering::draw(const Sensor& sensor, double u1, double u2, RandomStream& random, Ray& ray,
@@ -100,18 +105,25 @@ Bands Gathering::gather(const Sensor& sensor, const GatherPool& pool, const Star
     const double luminous = photometric(throughput, bands);
     if (!(luminous > 0))
       return sum;
+    // Three times what roulette on the throughput alone would keep: ending paths early is what costs variance at edges.
     auto survives = [&] {
-      if (luminous >= 1)
-        return true;
-      if (random.next() >= luminous)
+      const double survival = std::min(1.0, 3 * luminous);
+      if (random.next() >= survival)
         return false;
       for (int b = 0; b < bands; ++b)
-        throughput[b] /= luminous;
+        throughput[b] /= survival;
       return true;
     };
     if (!first && !survives())
       return sum;
     this->addVertexLight(next, pool, random, throughput, sum);
+    if (ray.mirror && this->Mirrored.any())
+    {
+      // Vertices lit from a point by mirrors score elsewhere at full weight, but nowhere by a mirror again.
+      const Bands images = this->Mirrored.illuminance(next);
+      for (int b = 0; b < bands; ++b)
+        sum[b] += throughput[b] * images[b];
+    }
     if (first && !survives())
       return sum;
 

@@ -4,6 +4,7 @@
 #define kalos_estimator_Gathering_h
 
 #include "estimator/DirectLight.h"
+#include "estimator/MirrorImages.h"
 #include "estimator/PickedScores.h"
 #include "estimator/Pilot.h"
 
@@ -56,6 +57,7 @@ private:
   Pilot Density;
   bool Shadows;
   DirectLight Luminaires;
+  MirrorImages Mirrored;
 };
 }  // namespace kalos
 

@@ -10,7 +10,8 @@ namespace kalos
 {
 bool tailIsLight(double largestScoreShare, const MeanAndError& estimate)
 {
-  return largestScoreShare * std::abs(estimate.mean) <= std::sqrt(0.5) * estimate.standardError || largestScoreShare == 0;
+  return largestScoreShare * std::abs(estimate.mean) <= std::sqrt(0.5) * estimate.standardError ||
+         largestScoreShare == 0;
 }
 
 double nearKernel(const Scene& scene, const Sensor& sensor)
