@@ -6,7 +6,8 @@
  * Inputs
  * - port 0, receivers: a vtkDataSet with point normals (receivers are its points) or else cell normals (receivers are
  * its cell centres), or a vtkMultiBlockDataSet of such. All receivers share one set of trajectories.
- * - port 1, surfaces: vtkPolyData with the cell array Reflectance and optionally Exitance (lm/m²).
+ * - port 1, surfaces: vtkPolyData with the cell array Reflectance and optionally Exitance (lm/m²), Specular,
+ *   Roughness and Mirror.
  * - port 2, luminaires (optional): vtkPolyData vertices with the point array LuminousFlux (lm) and optionally
  * Direction, Distribution, SideU and SideV.
  *

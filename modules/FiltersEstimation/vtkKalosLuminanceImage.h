@@ -7,8 +7,9 @@
  * with the point arrays Luminance (cd/m²), LuminanceStandardError (cd/m²) and, for n > 1 bands, LuminanceBands; row 0
  * is at the bottom; 0 where nothing is seen; and the field data of vtkKalosEstimatorAlgorithm.
  *
- * For Lambertian surfaces L = M0/pi + rho E(y)/pi with one estimate of E at the point y that the centre of the pixel
- * sees (E2). Luminaires have no body and are not seen.
+ * The double local estimate (E2) at the point y that the centre of the pixel sees: L = M0/pi + rho E(y)/pi for a
+ * Lambertian y, E weighted by the BRDF for a glossy one; mirrors are followed. Without Trajectories and without a goal
+ * it runs 1024 trajectories per pixel. Luminaires have no body and are seen in mirrors only.
  */
 #ifndef vtkKalosLuminanceImage_h
 #define vtkKalosLuminanceImage_h
