@@ -93,6 +93,17 @@ MaterialKey KeyOf(const kalos::Material& m)
   return {m.reflectance, m.exitance, m.specular, m.roughness, m.mirror};
 }
 
+/// The triangulation leaves out polygons without area and those it can not cut; nothing is dropped silently.
+void RefuseLostPolygons(vtkPolyData* input, vtkPolyData* triangles)
+{
+  vtkIdType expected = input->GetPolys()->GetNumberOfConnectivityIds() - 2 * input->GetNumberOfPolys();
+  expected += input->GetStrips()->GetNumberOfConnectivityIds() - 2 * input->GetNumberOfStrips();
+  const vtkIdType lost = expected - triangles->GetNumberOfPolys();
+  if (lost > 0)
+    throw std::invalid_argument("surfaces: polygons worth " + std::to_string(lost) +
+                                " triangles have no area or cross themselves, expected simple polygons");
+}
+
 void AddSurfaces(vtkPolyData* input, kalos::SceneDescription& scene)
 {
   vtkNew<vtkTriangleFilter> triangulate;
@@ -101,6 +112,7 @@ void AddSurfaces(vtkPolyData* input, kalos::SceneDescription& scene)
   triangulate->PassVertsOff();
   triangulate->Update();
   vtkPolyData* triangles = triangulate->GetOutput();
+  RefuseLostPolygons(input, triangles);
   if (triangles->GetNumberOfCells() == 0)
     return;
 

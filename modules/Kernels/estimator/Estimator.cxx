@@ -24,7 +24,7 @@ std::unique_ptr<Estimator> makeEstimator(const Scene& scene, const Receivers& re
     case Method::Direct:
       return std::make_unique<DirectSimulation>(scene, receivers, settings);
     default:
-      throw std::invalid_argument("method: gathered is not available yet; use compensated");
+      throw std::invalid_argument("method: is not one of those available; compensated serves instead of gathered");
   }
 }
 }  // namespace kalos
