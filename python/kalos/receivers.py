@@ -3,7 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCellCenters
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 
@@ -47,6 +49,17 @@ def from_dataset(name, dataset):
             for key in (arrays.ILLUMINANCE, arrays.ILLUMINANCE_STANDARD_ERROR, arrays.DIRECT_ILLUMINANCE)]
     trusted = vtk_to_numpy(data.GetArray(arrays.INTERVAL_TRUSTED)) != 0
     return Receivers(name, dataset, points, vtk_to_numpy(data.GetNormals()).astype(float), *read, trusted, weights)
+
+
+def point_receivers(points, normals):
+    """A vtkPolyData that asks for the illuminance at points (n, 3) of surfaces with unit normals (n, 3)."""
+    dataset, places = vtkPolyData(), vtkPoints()
+    places.SetData(numpy_to_vtk(np.array(points, float), deep=True))
+    dataset.SetPoints(places)
+    array = numpy_to_vtk(np.array(normals, float), deep=True)
+    array.SetName("Normals")
+    dataset.GetPointData().SetNormals(array)
+    return dataset
 
 
 def cell_centres(dataset):
