@@ -46,6 +46,8 @@ def parser():
                           help="only this method; may be repeated")
     validate.add_argument("--trajectories", metavar="N", type=COUNT, help="per case, instead of the case's own number")
     validate.add_argument("--seed", metavar="K", type=SEED, default=1, help="seed of the random numbers (%(default)s)")
+    validate.add_argument("--figures", action="store_true",
+                          help="then print what compensated reaches near edges, on CIE 171 and against direct (minutes)")
     validate.add_argument("--data", metavar="DIR", help="folder of the scenes, if not the one of the source tree")
     validate.set_defaults(run=run_validate)
     return top
@@ -107,7 +109,12 @@ def run_prepare(arguments):
 def run_validate(arguments):
     from kalos.validate import validate
 
-    return 0 if validate(arguments.data, arguments.method, arguments.trajectories, arguments.seed) else FAILED
+    passed = validate(arguments.data, arguments.method, arguments.trajectories, arguments.seed)
+    if arguments.figures:
+        from kalos.figures import figures
+
+        passed = figures(arguments.data, arguments.seed) and passed
+    return 0 if passed else FAILED
 
 
 def main(arguments=None):
