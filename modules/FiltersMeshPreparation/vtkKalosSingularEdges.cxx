@@ -196,11 +196,6 @@ vtkKalosSingularEdges::vtkKalosSingularEdges()
   this->SetNumberOfOutputPorts(3);
 }
 
-vtkPolyData* vtkKalosSingularEdges::GetOutput()
-{
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
-}
-
 vtkTable* vtkKalosSingularEdges::GetReport()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
@@ -235,10 +230,6 @@ vtkTypeBool vtkKalosSingularEdges::ProcessRequest(vtkInformation* request, vtkIn
   {
     return this->RequestDataObject(inputs, outputs);
   }
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
-  {
-    return this->RequestData(inputs, outputs);
-  }
   return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
@@ -263,7 +254,7 @@ int vtkKalosSingularEdges::RequestDataObject(vtkInformationVector** inputs, vtkI
   return 1;
 }
 
-int vtkKalosSingularEdges::RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkKalosSingularEdges::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* curvesOutput = vtkPolyData::GetData(outputs, 0);
   vtkDataObject* receiversOutput = vtkDataObject::GetData(outputs, 1);

@@ -43,17 +43,16 @@
 #ifndef vtkKalosSingularEdges_h
 #define vtkKalosSingularEdges_h
 
-#include "vtkAlgorithm.h"
 #include "vtkKalosFiltersMeshPreparationModule.h"
+#include "vtkPolyDataAlgorithm.h"
 
-class vtkPolyData;
 class vtkTable;
 
-class VTKKALOSFILTERSMESHPREPARATION_EXPORT vtkKalosSingularEdges : public vtkAlgorithm
+class VTKKALOSFILTERSMESHPREPARATION_EXPORT vtkKalosSingularEdges : public vtkPolyDataAlgorithm
 {
 public:
   static vtkKalosSingularEdges* New();
-  vtkTypeMacro(vtkKalosSingularEdges, vtkAlgorithm);
+  vtkTypeMacro(vtkKalosSingularEdges, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** Values of the array EdgeClass. */
@@ -108,9 +107,6 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
-  /** The curves, output port 0. */
-  vtkPolyData* GetOutput();
-
   /** The counts, output port 2. */
   vtkTable* GetReport();
 
@@ -133,7 +129,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformationVector** inputs, vtkInformationVector* outputs);
-  int RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   bool ConcaveEdges = true;
   bool ConvexEdges = false;

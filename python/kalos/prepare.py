@@ -107,6 +107,7 @@ def sentences(facts):
 def write_vtp(name, surface):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(name)
+    writer.SetDataModeToBinary()  # the reader of VTK 9.2 stumbles over some appended sections of small files
     writer.SetInputData(surface)
     update(writer, writer.Write)
 

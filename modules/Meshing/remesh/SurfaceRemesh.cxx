@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 #include "repair/SurfaceRepair.h"
 #include "singular/EdgeDistance.h"
@@ -294,9 +296,12 @@ RemeshReport remesh(TriangleMesh& mesh, const RemeshSettings& settings, const Pr
   const Curves curves = graded ? findSingularEdges(mesh, {}) : Curves();
   const double expected = expectedTriangles(mesh, settings, lengthOf(curves));
   if (!(expected <= static_cast<double>(settings.maximumTriangles)))
-    throw std::invalid_argument("the edge length needs about " + std::to_string(expected) +
-                                " triangles; expected one that needs at most " +
-                                std::to_string(settings.maximumTriangles));
+  {
+    std::ostringstream text;
+    text << "the edge length needs about " << std::setprecision(3) << expected
+         << " triangles; expected one that needs at most " << settings.maximumTriangles;
+    throw std::invalid_argument(text.str());
+  }
   report(progress, 0.05);
 
   std::vector<std::uint8_t> turned;

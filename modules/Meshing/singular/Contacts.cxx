@@ -47,12 +47,16 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
-/// Whether two pieces lie on one line and overlap by some length.
+/// Whether two pieces lie on one line and overlap or touch: triangles that meet in less than `intersect` sees leave
+/// gaps.
 bool overlap(const Segment& a, const Segment& b, double distance)
 {
   const Segment& longer = norm(a.end - a.start) >= norm(b.end - b.start) ? a : b;
   const Segment& shorter = &longer == &a ? b : a;
   const Point direction = unit(longer.end - longer.start);
+  // A short piece at a corner is near the lines of both its sides.
+  if (norm(cross(direction, unit(shorter.end - shorter.start))) > 1e-3)
+    return false;
   double along[2];
   int i = 0;
   for (const Point& p : {shorter.start, shorter.end})
@@ -64,10 +68,11 @@ bool overlap(const Segment& a, const Segment& b, double distance)
     ++i;
   }
   const double length = norm(longer.end - longer.start);
-  return std::min(std::max(along[0], along[1]), length) - std::max(std::min(along[0], along[1]), 0.0) > distance;
+  return std::min(std::max(along[0], along[1]), length) - std::max(std::min(along[0], along[1]), 0.0) > -4.0 * distance;
 }
 
-/// The pieces of one line, cut where one begins or ends; the severest of those that cover a part stands for it.
+/// The pieces of one line, cut where one begins or ends; the severest of those that cover a part stands for it. Small
+/// gaps are closed.
 void joinGroup(const std::vector<Segment>& group, double distance, std::vector<Segment>& joined)
 {
   const Segment& longest = *std::max_element(group.begin(), group.end(), [](const Segment& a, const Segment& b) {
@@ -95,7 +100,7 @@ void joinGroup(const std::vector<Segment>& group, double distance, std::vector<S
   double from = cuts.front();
   for (const double to : cuts)
   {
-    if (to - from <= distance)
+    if (to - from <= 4.0 * distance)
       continue;
     const double middle = 0.5 * (from + to);
     while (next < spans.size() && spans[next].low < middle)

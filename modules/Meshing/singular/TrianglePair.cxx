@@ -102,6 +102,17 @@ bool intersect(const TriangleMesh& mesh, const Triangle& a, const Triangle& b, d
       norm(piece.end - atParameter(ofB, inB, end)) > 4.0 * distance)
     return false;
 
+  // Corners that count as lying in a plane may be a little off: put the ends where the planes meet, if they do so
+  // clearly.
+  const double cosine = dot(normalOfA, normalOfB), squaredSine = dot(line, line);
+  for (Point* tip : {&piece.start, &piece.end})
+  {
+    const double ofPlaneA = dot(*tip - cornersOfA[0], normalOfA), ofPlaneB = dot(*tip - cornersOfB[0], normalOfB);
+    if (squaredSine > 0.01)
+      *tip = *tip - (((ofPlaneA - cosine * ofPlaneB) / squaredSine) * normalOfA +
+                     ((ofPlaneB - cosine * ofPlaneA) / squaredSine) * normalOfB);
+  }
+
   std::vector<Sheet> sheets;
   sheets.reserve(4);
   addSheets(ofA, axis, normalOfA, normalOfB, sheets);
