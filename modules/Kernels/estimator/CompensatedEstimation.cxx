@@ -146,12 +146,7 @@ void CompensatedEstimation::scoreGathered(std::size_t r, int replicate, const Ro
 std::vector<AuditLine> CompensatedEstimation::audit() const
 {
   std::vector<AuditLine> lines = this->Direct.audit();
-  const auto [least, most] = std::minmax_element(this->RayShare.begin(), this->RayShare.end());
-  if (least != this->RayShare.end())
-    lines.push_back({"kernel", "compensated",
-                     "bounded and unbiased; per 1000 trajectories " + std::to_string(std::lround(1000 * *least)) +
-                         " gather rays in the open, up to " + std::to_string(std::lround(1000 * *most)) +
-                         " near edges and contacts"});
+  lines.push_back({"kernel", "compensated", "bounded and unbiased; more gather rays where surfaces are near"});
   return lines;
 }
 }  // namespace kalos
