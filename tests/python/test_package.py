@@ -29,5 +29,5 @@ def test_methods_are_numbered_as_the_filter_numbers_them():
 
 def test_every_class_is_there():
     for stem in ("SceneReader", "LuminaireSource", "CalculationPlane", "Illuminance", "LuminanceImage", "FalseColor",
-                 "EXRReader", "EXRWriter"):
+                 "EXRReader", "EXRWriter", "SurfaceRepair", "SurfaceRemesh", "SingularEdges"):
         assert getattr(kalos, f"vtkKalos{stem}")().IsA(f"vtkKalos{stem}")
