@@ -67,7 +67,7 @@ def read_obj(path):
     """Points, polygons and usemtl; VTK's reader gives materials to the wrong faces and keeps single precision only."""
     points, polygons, material, names = [], [], [], {}
     current = ""
-    with open(path, encoding="utf-8") as file:
+    with open(path, encoding="utf-8", errors="replace") as file:  # comments come in any encoding
         for line, text in enumerate(file, 1):
             words = text.split("#", 1)[0].split()
             if not words:
@@ -138,6 +138,30 @@ def by_vtk(module, name):
     return read
 
 
+def read_ply(path):
+    """By VTK, after a look at the header: VTK's reader crashes on lists among the points' properties."""
+    elements = []
+    with open(path, "rb") as file:
+        for line, raw in enumerate(file, 1):
+            words = raw.decode("latin-1").split()
+            if line == 1 and words != ["ply"]:
+                raise KalosError(f"{path}: line 1: no PLY header, expected the word ply")
+            if words[:1] == ["end_header"]:
+                break
+            if words[:1] == ["element"]:
+                elements.append(words[1] if len(words) > 1 else "")
+                count, = numbers_of(words[2:3] or ["nothing"], int, path, line, "the number of them")
+                if not 0 <= count <= path.stat().st_size:  # VTK's reader allocates what it is told
+                    raise KalosError(f"{path}: line {line}: {count} do not fit into the file, expected the number that follow")
+            elif words[:2] == ["property", "list"] and elements[-1:] == ["vertex"]:
+                raise KalosError(f"{path}: line {line}: a list among the properties of points, expected it after element face")
+        else:
+            raise KalosError(f"{path}: header: not closed, expected the word end_header")
+    if "vertex" not in elements or "face" not in elements:
+        raise KalosError(f"{path}: header: no points or no polygons, expected element vertex and element face")
+    return by_vtk("vtkIOPLY", "vtkPLYReader")(path)
+
+
 def joined(data):
     """The surfaces of a composite as one, each with its number in SurfaceId."""
     if data.IsA("vtkPolyData"):
@@ -171,6 +195,6 @@ def joined(data):
     return mesh
 
 
-READERS = {".obj": read_obj, ".off": read_off, ".ply": by_vtk("vtkIOPLY", "vtkPLYReader"),
+READERS = {".obj": read_obj, ".off": read_off, ".ply": read_ply,
            ".stl": by_vtk("vtkIOGeometry", "vtkSTLReader"), ".vtp": by_vtk("vtkIOXML", "vtkXMLPolyDataReader"),
            ".gltf": by_vtk("vtkIOGeometry", "vtkGLTFReader"), ".glb": by_vtk("vtkIOGeometry", "vtkGLTFReader")}
