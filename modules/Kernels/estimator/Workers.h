@@ -76,7 +76,7 @@ private:
   std::thread::id Caller = std::this_thread::get_id();
   std::chrono::steady_clock::time_point LastTold{};
   std::atomic<bool> Aborted{false};
-  double From = 0, To = 1, Told = 0;
+  double From = 0, To = 0, Told = 0;  // what comes before the first span is no progress
 };
 }  // namespace kalos
 
