@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/CompensatedEstimation.h"
 
+#include "estimator/ProbeRays.h"
 #include "estimator/VertexRound.h"
 #include "sampling/Sobol.h"
-#include "sampling/Warp.h"
 
 namespace kalos
 {
@@ -39,20 +39,10 @@ double CompensatedEstimation::chooseRayShare(const Sensor& sensor) const
 {
   // The part of its hemisphere that a receiver sees so near that 100 trajectories leave no vertex in the area 1/G.
   constexpr int probes = 16;
-  const Frame frame(sensor.normal);
   double near = 0;
-  for (int i = 0; i < probes; ++i)
-  {
-    double u1, u2;
-    sobolPoint(1, static_cast<std::uint32_t>(i), u1, u2);
-    const Vec3 direction = frame.toWorld(cosineHemisphere(u1, u2));
-    const SurfacePoint y = this->Lit.trace(sensor.position, sensor.normal, direction);
-    if (!y.valid)
-      continue;
-    const Vec3 d = y.position - sensor.position;
-    const double kernel = dot(direction, sensor.normal) * -dot(direction, y.normal) / (pi * dot(d, d));
-    near += gatheredShare(kernel / (100 * this->Rays.pilot().density(y.position))) / probes;
-  }
+  sendProbes(this->Lit, sensor, probes, [&](double kernel, const Vec3& y) {
+    near += gatheredShare(kernel / (100 * this->Rays.pilot().density(y))) / probes;
+  });
   // Measured in the furnace and over a plane in an open room: least variance per second within a fifth at both.
   return (1 + 18 * near) / 40;
 }

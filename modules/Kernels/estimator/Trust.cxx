@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "sampling/Sobol.h"
-#include "sampling/Warp.h"
+#include "estimator/ProbeRays.h"
 
 namespace kalos
 {
@@ -18,18 +17,8 @@ double nearKernel(const Scene& scene, const Sensor& sensor)
 {
   constexpr int probes = 64;
   std::array<double, probes> kernels{};
-  const Frame frame(sensor.normal);
-  for (int i = 0; i < probes; ++i)
-  {
-    double u1, u2;
-    sobolPoint(1, static_cast<std::uint32_t>(i), u1, u2);
-    const Vec3 direction = frame.toWorld(cosineHemisphere(u1, u2));
-    const SurfacePoint y = scene.trace(sensor.position, sensor.normal, direction);
-    if (!y.valid)
-      continue;
-    const Vec3 d = y.position - sensor.position;
-    kernels[i] = dot(direction, sensor.normal) * -dot(direction, y.normal) / (pi * dot(d, d));
-  }
+  std::size_t met = 0;
+  sendProbes(scene, sensor, probes, [&](double kernel, const Vec3&) { kernels[met++] = kernel; });
   std::nth_element(kernels.begin(), kernels.begin() + 2, kernels.end(), std::greater<double>());
   return kernels[2];
 }
