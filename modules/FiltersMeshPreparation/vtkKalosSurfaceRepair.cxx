@@ -48,6 +48,7 @@ void FillReport(const kalos::ConvertedMesh& input, const kalos::meshing::RepairR
   count("points before", done.pointsBefore);
   count("points after", done.pointsAfter);
   count("points merged", done.pointsMerged);
+  count("points moved by merging", done.pointsMoved);
   count("unused points dropped", done.pointsUnused);
   count("points added at non-manifold edges and vertices", done.pointsSplit);
   count("triangles before", done.trianglesBefore);

@@ -10,7 +10,8 @@
  *
  * In this order:
  * -# merge points nearer than Tolerance;
- * -# drop degenerate triangles (lower than Tolerance) and triangles on the same corners and of the same material;
+ * -# drop degenerate triangles (lower than Tolerance) and triangles on the same corners and of the same material; of
+ * those that emit, one stays for each side;
  * -# cut triangles where corners of others lie on their border edges, which stitches T-junctions;
  * -# turn triangles, so that each connected surface has one side: the one that most of its area had. Where triangles
  * emit (Exitance above 0) theirs decides, as light leaves on it;

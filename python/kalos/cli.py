@@ -20,6 +20,8 @@ def parser():
     solve.add_argument("--out", metavar="DIR", required=True, help="folder for the results; made if it is not there")
     add_method_options(solve, DEFAULT_METHOD)
     add_goals(solve)
+    solve.add_argument("--no-prepare", action="store_false", dest="prepare",
+                       help="take the surfaces as they are: neither repair them nor look for singular edges")
     solve.set_defaults(run=run_solve)
 
     study = commands.add_parser("study", help="solve a scene with every combination of settings and measure the errors")
@@ -83,7 +85,7 @@ def options_of(arguments):
 def run_solve(arguments):
     from kalos.solve import solve
 
-    solve(arguments.scene, arguments.out, options_of(arguments), say=print)
+    solve(arguments.scene, arguments.out, options_of(arguments), say=print, preparing=arguments.prepare)
     return 0
 
 

@@ -49,10 +49,10 @@ def prepare(path, out, edge_length=None, report=None, say=None):
     return facts
 
 
-def of_file(path, algorithm, label):
+def of_file(path, algorithm, label, patience=0):
     """The output of a filter; its errors name the file."""
     try:
-        return run(algorithm, label)
+        return run(algorithm, label, patience=patience)
     except KalosError as error:
         text = str(error)
         raise KalosError(text if text.startswith("stopped") else f"{path}: mesh: {text}", error.status) from None

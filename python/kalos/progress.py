@@ -4,6 +4,7 @@ import contextlib
 import signal
 import sys
 import threading
+import time
 
 from kalos.errors import FAILED, KalosError, update
 
@@ -11,17 +12,18 @@ WIDTH = 30
 
 
 class ProgressBar:
-    """A bar on a terminal; elsewhere, in a log, a line with a mark at every tenth."""
+    """A bar on a terminal; elsewhere, in a log, a line with a mark at every tenth. Nothing before `patience` seconds."""
 
-    def __init__(self, label, stream=None):
+    def __init__(self, label, stream=None, patience=0):
         self.label = label
         self.stream = stream or sys.stderr
         self.terminal = self.stream.isatty()
         self.shown = -1
+        self.earliest = time.monotonic() + patience
 
     def show(self, fraction):
         step = int(fraction * (100 if self.terminal else 10))
-        if step <= self.shown:
+        if step <= self.shown or (self.shown < 0 and time.monotonic() < self.earliest):
             return
         if self.terminal:
             done = int(fraction * WIDTH)
@@ -38,12 +40,12 @@ class ProgressBar:
             self.stream.flush()
 
 
-def run(algorithm, label, stream=None):
+def run(algorithm, label, stream=None, patience=0):
     """Brings a long-running algorithm up to date with a progress bar and returns its output.
 
     Ctrl-C stops it cleanly, as a KalosError.
     """
-    bar = ProgressBar(label, stream)
+    bar = ProgressBar(label, stream, patience)
 
     def show(caller, _event):
         if 0 < caller.GetProgress() < 1:  # VTK reports 1 after a failure too

@@ -9,26 +9,30 @@ from kalos import arrays, pictures, summary as figures
 from kalos.errors import KalosError, update
 from kalos.estimator import Options, named_options
 from kalos.output import staged
+from kalos.preparation import UNPREPARED, prepare_scene
 from kalos.progress import run
 from kalos.receivers import from_dataset
 from kalos.tables import write_csv
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 
-def solve(scene, out, options=Options(), say=lambda text: None):
+def solve(scene, out, options=Options(), say=lambda text: None, preparing=True):
     """Solves the scene file into the folder `out` and returns what stands in summary.json.
 
     Every receiver set gives NAME.csv, NAME.vtp and NAME.png, every camera NAME.exr and NAME.png. `say` gets the audit,
-    the result table and the paths of the pictures. Raises KalosError; the folder then holds nothing new.
+    the result table and the paths of the pictures. With `preparing` the surfaces are repaired first, and the audit says
+    where they meet at singular edges. Raises KalosError; the folder then holds nothing new.
     """
     started = time.perf_counter()
     reader = read_scene(scene)
     check_results(reader, scene)
+    prepared = prepare_scene(scene, reader) if preparing else UNPREPARED
     setup = time.perf_counter() - started
     with staged(out) as folder:
         with named_options():
-            receivers, images, outputs = estimate(reader, options)
+            receivers, images, outputs = estimate(reader, options, prepared)
         result = summarise(scene, options, receivers, images, outputs)
+        result["audit"] = prepared.audit + result["audit"]
         result["setup_seconds"] = setup
         say("audit")
         say(figures.audit_text(result["audit"]))
@@ -67,7 +71,7 @@ def check_results(reader, scene):
                          "results stand in summary.json")
 
 
-def estimate(reader, options):
+def estimate(reader, options, prepared):
     """Runs the estimator over all receiver sets at once, then once per camera.
 
     Returns the receivers, the images by camera name, and every output whose field data tell how it was solved.
@@ -75,11 +79,11 @@ def estimate(reader, options):
     receivers, images, outputs = [], {}, []
     names = receiver_names(reader)
     if names:
-        blocks = run(illuminance(reader, options), "illuminance")
+        blocks = run(prepared.put(illuminance(reader, options)), "illuminance")
         receivers = [from_dataset(name, blocks.GetBlock(i)) for i, name in enumerate(names)]
         outputs.append(blocks)
     for i, name in enumerate(camera_names(reader)):
-        images[name] = run(luminance_image(reader, i, options), f"luminance, {name}")
+        images[name] = run(prepared.put(luminance_image(reader, i, options)), f"luminance, {name}")
         outputs.append(images[name])
     return receivers, images, outputs
 

@@ -165,3 +165,22 @@ TEST(SurfaceRepair, BadInput)
   addTriangle(one, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   EXPECT_EQ(repair(one, {}).borderAfter, 3u);
 }
+
+TEST(SurfaceRepair, PanelsThatEmitOnBothSidesKeepBoth)
+{
+  TriangleMesh panel;
+  addQuad(panel, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  addQuad(panel, {0, 0, 0}, {0, 1, 0}, {1, 0, 0});
+  std::swap(panel.triangles[3], panel.triangles[2]);
+  // The diagonals agree, so that the triangles coincide in pairs.
+  TriangleMesh plain = panel;
+  EXPECT_EQ(repair(plain, {}).trianglesAfter, 2u);
+  RepairSettings settings;
+  settings.sided.assign(4, 1);
+  EXPECT_EQ(repair(panel, settings).trianglesAfter, 4u);
+  double up = 0.0, down = 0.0;
+  for (const Triangle& t : panel.triangles)
+    (doubledArea(panel, t)[2] > 0 ? up : down) += 0.5 * norm(doubledArea(panel, t));
+  EXPECT_NEAR(up, 1.0, 1e-12);
+  EXPECT_NEAR(down, 1.0, 1e-12);
+}

@@ -73,7 +73,7 @@ double tolerance(const TriangleMesh& mesh, double wanted)
   return wanted > 0.0 ? wanted : 1e-6 * bounds(mesh).diagonal();
 }
 
-std::size_t mergePoints(TriangleMesh& mesh, double distance)
+Merged mergePoints(TriangleMesh& mesh, double distance)
 {
   // Sweep along a direction that no building is aligned with; a point is compared with the representatives just passed.
   const Point direction = unit({0.6180339887, 0.7548776662, 0.5698402910});
@@ -86,7 +86,8 @@ std::size_t mergePoints(TriangleMesh& mesh, double distance)
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return along[a] != along[b] ? along[a] < along[b] : a < b; });
   std::vector<std::uint32_t> representative(n), passed;
-  std::size_t first = 0, merged = 0;
+  std::size_t first = 0;
+  Merged merged;
   for (const std::uint32_t i : order)
   {
     while (first < passed.size() && along[i] - along[passed[first]] > distance)
@@ -100,7 +101,10 @@ std::size_t mergePoints(TriangleMesh& mesh, double distance)
     if (representative[i] == i)
       passed.push_back(i);
     else
-      ++merged;
+    {
+      ++merged.points;
+      merged.moved += mesh.points[i] != mesh.points[representative[i]];
+    }
   }
   for (Triangle& triangle : mesh.triangles)
   {
@@ -170,18 +174,26 @@ std::size_t dropDegenerate(TriangleMesh& mesh, double distance)
   return before - mesh.triangles.size();
 }
 
-Duplicates dropDuplicates(TriangleMesh& mesh)
+Duplicates dropDuplicates(TriangleMesh& mesh, const std::vector<std::uint8_t>& sided)
 {
   const std::size_t n = mesh.triangles.size();
   std::vector<Triangle> sorted = mesh.triangles;
-  for (Triangle& corners : sorted)
-    std::sort(corners.begin(), corners.end());
+  std::vector<std::uint8_t> turned(n, 0);
+  for (std::size_t t = 0; t < n; ++t)
+  {
+    std::sort(sorted[t].begin(), sorted[t].end());
+    const Triangle& c = mesh.triangles[t];
+    if (mesh.origin[t] < sided.size() && sided[mesh.origin[t]])
+      turned[t] = (c[0] < c[1]) + (c[1] < c[2]) + (c[2] < c[0]) == 1;
+  }
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     if (sorted[a] != sorted[b])
       return sorted[a] < sorted[b];
-    return mesh.material[a] != mesh.material[b] ? mesh.material[a] < mesh.material[b] : a < b;
+    if (mesh.material[a] != mesh.material[b])
+      return mesh.material[a] < mesh.material[b];
+    return turned[a] != turned[b] ? turned[a] < turned[b] : a < b;
   });
   std::vector<std::uint8_t> marks(n, 1);
   Duplicates duplicates;
@@ -189,9 +201,10 @@ Duplicates dropDuplicates(TriangleMesh& mesh)
   {
     if (sorted[order[i]] != sorted[order[i - 1]])
       continue;
-    const bool same = mesh.material[order[i]] == mesh.material[order[i - 1]];
-    marks[order[i]] = !same;
-    ++(same ? duplicates.dropped : duplicates.kept);
+    const bool other = mesh.material[order[i]] != mesh.material[order[i - 1]];
+    marks[order[i]] = other || turned[order[i]] != turned[order[i - 1]];
+    duplicates.kept += other;
+    duplicates.dropped += !marks[order[i]];
   }
   keepMarked(mesh, marks);
   return duplicates;

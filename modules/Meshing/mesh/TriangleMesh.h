@@ -62,9 +62,14 @@ Bounds bounds(const TriangleMesh& mesh);
  * need. */
 double tolerance(const TriangleMesh& mesh, double wanted);
 
-/** Gives points nearer than `distance` to each other the same index. Unused points stay. Returns how many were merged.
- */
-std::size_t mergePoints(TriangleMesh& mesh, double distance);
+struct Merged
+{
+  std::size_t points = 0;  ///< that gave way to another
+  std::size_t moved = 0;   ///< of these, those that were not at the very same place
+};
+
+/** Gives points nearer than `distance` to each other the same index. Unused points stay. */
+Merged mergePoints(TriangleMesh& mesh, double distance);
 
 /** Drops points that no triangle uses and renumbers the others in their order. Returns how many were dropped. */
 std::size_t dropUnusedPoints(TriangleMesh& mesh);
@@ -78,8 +83,11 @@ struct Duplicates
   std::size_t kept = 0;     ///< same corners but another material: which one counts cannot be decided here
 };
 
-/** Drops all but the first of triangles with the same corners and material, whichever way they face. */
-Duplicates dropDuplicates(TriangleMesh& mesh);
+/**
+ * Drops all but the first of triangles with the same corners and material, whichever way they face; but where
+ * `sided[origin]` is not zero, one of each way stays.
+ */
+Duplicates dropDuplicates(TriangleMesh& mesh, const std::vector<std::uint8_t>& sided = {});
 
 /** Keeps the triangles with a non-zero mark, in their order. */
 void keepMarked(TriangleMesh& mesh, const std::vector<std::uint8_t>& marks);

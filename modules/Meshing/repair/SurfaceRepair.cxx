@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 #include "mesh/SortedSides.h"
 
@@ -79,17 +80,24 @@ void chooseSides(TriangleMesh& mesh, const RepairSettings& settings, std::vector
 
 void nameDuplicates(const TriangleMesh& mesh, std::vector<Unrepaired>& unrepaired)
 {
-  std::vector<std::pair<Triangle, std::uint32_t>> sorted;
+  struct Place
+  {
+    Triangle corners;
+    std::uint32_t material, origin;
+  };
+  std::vector<Place> places;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    sorted.emplace_back(mesh.triangles[t], mesh.origin[t]);
-    std::sort(sorted.back().first.begin(), sorted.back().first.end());
+    places.push_back({mesh.triangles[t], mesh.material[t], mesh.origin[t]});
+    std::sort(places.back().corners.begin(), places.back().corners.end());
   }
-  std::sort(sorted.begin(), sorted.end());
-  for (std::size_t i = 1; i < sorted.size(); ++i)
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    return std::tie(a.corners, a.material, a.origin) < std::tie(b.corners, b.material, b.origin);
+  });
+  for (std::size_t i = 1; i < places.size(); ++i)
   {
-    if (sorted[i].first == sorted[i - 1].first)
-      unrepaired.push_back({sorted[i].second, "the same corners as another cell, of another material; both kept"});
+    if (places[i].corners == places[i - 1].corners && places[i].material != places[i - 1].material)
+      unrepaired.push_back({places[i].origin, "the same corners as another cell, of another material; both kept"});
   }
 }
 }  // namespace
@@ -118,12 +126,14 @@ RepairReport repair(TriangleMesh& mesh, const RepairSettings& settings, const Pr
   report(progress, 0.05);
 
   result.pointsUnused = dropUnusedPoints(mesh);
-  result.pointsMerged = mergePoints(mesh, result.tolerance);
+  const Merged merged = mergePoints(mesh, result.tolerance);
+  result.pointsMerged = merged.points;
+  result.pointsMoved = merged.moved;
   result.degenerate = dropDegenerate(mesh, result.tolerance);
   if (mesh.triangles.empty())
     throw std::invalid_argument("every triangle is degenerate (lower than the tolerance of " +
                                 std::to_string(result.tolerance) + " m); expected at least one that is not");
-  const Duplicates duplicates = dropDuplicates(mesh);
+  const Duplicates duplicates = dropDuplicates(mesh, settings.sided);
   result.duplicate = duplicates.dropped;
   if (duplicates.kept > 0)
     nameDuplicates(mesh, result.unrepaired);

@@ -26,6 +26,7 @@ struct RepairReport
 {
   std::size_t pointsBefore = 0, pointsAfter = 0, trianglesBefore = 0, trianglesAfter = 0;
   std::size_t pointsMerged = 0, pointsUnused = 0, pointsSplit = 0;
+  std::size_t pointsMoved = 0;  ///< points merged that were not at the very same place
   std::size_t degenerate = 0, duplicate = 0;
   std::size_t splitTriangles = 0;  ///< triangles cut where corners of others lay on their border
   std::size_t turned = 0;
@@ -39,9 +40,9 @@ struct RepairReport
 
 /**
  * Repairs a mesh in this order: merge points nearer than the tolerance; drop degenerate triangles (lower than the
- * tolerance) and duplicates of the same material; cut triangles where corners of others lie on their border edges, and
- * so stitch; give each connected surface one side, the one that most of its area has, or that its emitting triangles
- * have; give non-manifold edges and vertices a point for each surface.
+ * tolerance) and duplicates of the same material (those whose side matters, of the same side); cut triangles where
+ * corners of others lie on their border edges, and so stitch; give each connected surface one side, the one that most
+ * of its area has, or that its emitting triangles have; give non-manifold edges and vertices a point for each surface.
  *
  * What cannot be repaired stays and is named: duplicates of different materials, surfaces whose emitting triangles
  * disagree. Throws as check() and report() do.
