@@ -49,7 +49,7 @@ struct BareRays
 
   BareRays(const Scene& scene, const Receivers& receivers, int trajectories)
   {
-    const VertexSet v = traceTrajectories(scene, Emission(scene), 1, 0, 0, trajectories).reflected;
+    const VertexSet v = traceTrajectories(scene, Emission(scene), {}, 0, 0, trajectories).reflected;
     int lane = 0;
     PairBlock block;
     for (std::size_t i = 0; i < receivers.points.size(); ++i)
@@ -124,7 +124,7 @@ void UnshadowedPairs(benchmark::State& state)
 {
   const Scene scene(room());
   const Receivers receivers = floorGrid(16);
-  const VertexSet v = traceTrajectories(scene, Emission(scene), 1, 0, 0, 3200).reflected;
+  const VertexSet v = traceTrajectories(scene, Emission(scene), {}, 0, 0, 3200).reflected;
   PairBlock block;
   std::size_t pairs = 0;
   for (auto _ : state)

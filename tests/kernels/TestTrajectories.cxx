@@ -16,7 +16,7 @@ TEST(Trajectories, LengthIsNotLimited)
     const Scene scene(rooms::litRoom(rho));
     const Emission emission(scene);
     const int count = 20000;
-    const VertexPool chunk = traceTrajectories(scene, emission, 1, 0, 0, count);
+    const VertexPool chunk = traceTrajectories(scene, emission, {}, 0, 0, count);
     const double mean = double(chunk.reflected.size()) / count;
     const double error = std::sqrt(rho) / (1 - rho) / std::sqrt(double(count));
     EXPECT_LT(std::abs(mean - 1 / (1 - rho)), 4.4 * error) << "rho " << rho;
@@ -41,7 +41,7 @@ TEST(Trajectories, EmissionCarriesTheWholeFlux)
   const int count = 40000;
   for (int i = 0; i < count; ++i)
   {
-    RandomStream random(2, 0, Purpose::Trajectory, i);
+    SampleStream random(Sampling::Independent, 2, 0, Purpose::Trajectory, i);
     fromLamp += !emission.sample(random).onSurface;
   }
   EXPECT_LT(std::abs(fromLamp - share * count), 4.4 * std::sqrt(count * share * (1 - share)));
@@ -52,7 +52,7 @@ TEST(PairKernel, AgreesWithTheFormula)
 {
   const Scene scene(rooms::furnace(0.6, 100));
   const Emission emission(scene);
-  const VertexSet v = traceTrajectories(scene, emission, 1, 0, 0, 2000).reflected;
+  const VertexSet v = traceTrajectories(scene, emission, {}, 0, 0, 2000).reflected;
   const Vec3 n = normalized(Vec3{0.2, 0.3, 1});
   const Sensor receiver(scene, Vec3{2.4, 2.5, 1} - scene.origin(), n);
   std::size_t scored = 0, expected = 0;

@@ -107,7 +107,7 @@ std::size_t draw(const std::vector<double>& cumulative, double u, double& share)
 }
 }  // namespace
 
-bool DirectLight::sampleAreas(const Sensor& sensor, const View& view, RandomStream& random, Bands& w) const
+bool DirectLight::sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const
 {
   w = {};
   const double u0 = random.next(), u1 = random.next(), u2 = random.next(), u3 = random.next();
@@ -123,7 +123,7 @@ bool DirectLight::sampleAreas(const Sensor& sensor, const View& view, RandomStre
   return !this->Shadows || !this->Lit.rays().occluded(sensor.rayOrigin, sample.target);
 }
 
-Bands DirectLight::sample(const Sensor& sensor, RandomStream& random, View& scratch) const
+Bands DirectLight::sample(const Sensor& sensor, SampleStream& random, View& scratch) const
 {
   const double u0 = random.next(), u1 = random.next(), u2 = random.next(), u3 = random.next();
   const auto& luminaires = this->Lit.data().luminaires;

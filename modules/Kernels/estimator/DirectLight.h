@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "estimator/Sensor.h"
-#include "sampling/Random.h"
+#include "sampling/SampleStream.h"
 
 namespace kalos
 {
@@ -35,12 +35,12 @@ public:
   void look(const Sensor& sensor, View& view) const;
 
   /// One sample of View::areas: w (lx per band), returns its visibility.
-  bool sampleAreas(const Sensor& sensor, const View& view, RandomStream& random, Bands& w) const;
+  bool sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const;
 
   /// One sample of all direct light at the sensor, weighted by its response, with a single shadow ray: an emitter is
   /// drawn in proportion to what it would send to a Lambertian sensor, were nothing in between. Unbiased; for the
   /// vertices that gather rays find and for glossy sensors. `scratch` is overwritten.
-  Bands sample(const Sensor& sensor, RandomStream& random, View& scratch) const;
+  Bands sample(const Sensor& sensor, SampleStream& random, View& scratch) const;
 
   /// Adds throughput times the exitance of every luminous rectangle that a ray from a mirror passes through before it
   /// ends at y.

@@ -21,9 +21,9 @@ std::vector<Vec3> inScene(const Scene& scene, const std::vector<Vec3>& points)
 }
 }  // namespace
 
-DirectPart::DirectPart(const Scene& scene, const Receivers& receivers, std::uint64_t seed)
+DirectPart::DirectPart(const Scene& scene, const Receivers& receivers, const Walks& walks)
     : Lit(scene),
-      Seed(seed),
+      Drawn(walks),
       Found(auditScene(scene, inScene(scene, receivers.points))),
       ClosedForms(this->Found.emittingTriangles <= largestExact &&
                   this->Found.emittingTriangles * receivers.points.size() <= largestViews),
@@ -71,12 +71,15 @@ void DirectPart::measureVisibility(std::size_t r)
   if (!this->Direct.hasAreas() || !this->shadows())
     return;
   constexpr int pilot = 16, pilotReplicate = 1 << 20;  // no estimate uses it
-  RandomStream random = receiverStream(this->Seed, pilotReplicate, Purpose::DirectLight, r, 0);
+  const Walks walks = this->Drawn.ofReceiver(r);
   DirectLight::View& view = this->Views[r];
   int visible = 0;
   Bands w;
   for (int s = 0; s < pilot; ++s)
+  {
+    SampleStream random = walks.stream(pilotReplicate, Purpose::DirectLight, s);
     visible += this->Direct.sampleAreas(this->Sensors[r], view, random, w);
+  }
   view.visibleShare = static_cast<double>(visible) / pilot;
 }
 
@@ -86,13 +89,14 @@ void DirectPart::score(std::size_t r, int replicate, long long first, int count,
   if (!sensor.brdf && (!this->Direct.hasAreas() || !this->shadows()))
     return;
   const int samples = (count + trajectoriesPerShadow - 1) / trajectoriesPerShadow;
-  RandomStream random = receiverStream(this->Seed, replicate, Purpose::DirectLight, r, first);
+  const Walks walks = this->Drawn.ofReceiver(r);
   Bands sum{};
   if (sensor.brdf)
   {
     thread_local DirectLight::View scratch;
     for (int s = 0; s < samples; ++s)
     {
+      SampleStream random = walks.stream(replicate, Purpose::DirectLight, first + s);
       const Bands e = this->Luminaires.sample(sensor, random, scratch);
       for (int b = 0; b < tally.bands(); ++b)
         sum[b] += e[b];
@@ -103,6 +107,7 @@ void DirectPart::score(std::size_t r, int replicate, long long first, int count,
     const DirectLight::View& view = this->Views[r];
     for (int s = 0; s < samples; ++s)
     {
+      SampleStream random = walks.stream(replicate, Purpose::DirectLight, first + s);
       Bands w;
       const double excess = this->Direct.sampleAreas(sensor, view, random, w) - view.visibleShare;
       for (int b = 0; b < tally.bands(); ++b)
@@ -115,6 +120,14 @@ void DirectPart::score(std::size_t r, int replicate, long long first, int count,
     tally.total(r, replicate)[b] += weighted;
     tally.direct(r, replicate)[b] += weighted;
   }
+}
+
+bool DirectPart::scoreAll(long long first, int count, Workers& workers, Tally& tally) const
+{
+  return workers.forEach(tally.receivers(), [&](std::size_t r) {
+    for (int replicate = 0; replicate < tally.replicates(); ++replicate)
+      this->score(r, replicate, first, count, tally);
+  });
 }
 
 std::vector<AuditLine> DirectPart::audit() const
@@ -131,13 +144,15 @@ std::vector<AuditLine> DirectPart::audit() const
     glossy = glossy || m.specular > 0;
     mirror = mirror || m.mirror > 0;
   }
-  lines.push_back(
-      {"reflection",
-       glossy && mirror ? "diffuse, glossy, mirror"
-       : glossy         ? "diffuse, glossy"
-       : mirror         ? "diffuse, mirror"
-                        : "diffuse",
-       glossy || mirror ? "as the materials say" : "every luminance is rho E / pi, no second estimate is run"});
+  lines.push_back({"reflection",
+                   !this->Found.reflects ? "none"
+                   : glossy && mirror    ? "diffuse, glossy, mirror"
+                   : glossy              ? "diffuse, glossy"
+                   : mirror              ? "diffuse, mirror"
+                                         : "diffuse",
+                   !this->Found.reflects ? "every surface is black: direct light is all there is"
+                   : glossy || mirror    ? "as the materials say"
+                                         : "every luminance is rho E / pi, no second estimate is run"});
   if (this->Found.unoccluded)
     lines.push_back({"shadow rays", "none", "the room is convex and empty: nothing can stand between two points"});
   else

@@ -14,7 +14,7 @@ namespace kalos
 class DirectPart
 {
 public:
-  DirectPart(const Scene& scene, const Receivers& receivers, std::uint64_t seed);
+  DirectPart(const Scene& scene, const Receivers& receivers, const Walks& walks);
 
   const std::vector<Sensor>& sensors() const { return this->Sensors; }
   bool shadows() const { return !this->Found.unoccluded; }
@@ -23,6 +23,9 @@ public:
   /// triangles for closed forms, or the receiver is glossy.
   bool exactMeshes(std::size_t receiver) const { return this->ClosedForms && !this->Sensors[receiver].brdf; }
 
+  /// There is no light but this: nothing reflects, and all emission is known in closed form.
+  bool complete() const { return !this->Found.reflects && this->ClosedForms; }
+
   /// Fills the fixed part of the tally: all that does not fluctuate. Returns false when aborted.
   bool prepare(Workers& workers, Tally& tally);
 
@@ -30,13 +33,16 @@ public:
   /// whole direct light of a glossy receiver.
   void score(std::size_t receiver, int replicate, long long first, int count, Tally& tally) const;
 
+  /// score() for all receivers and replicates; false when aborted.
+  bool scoreAll(long long first, int count, Workers& workers, Tally& tally) const;
+
   std::vector<AuditLine> audit() const;
 
 private:
   void measureVisibility(std::size_t receiver);
 
   const Scene& Lit;
-  std::uint64_t Seed;
+  Walks Drawn;
   Audit Found;
   bool ClosedForms;
   DirectLight Direct;      // luminaires, and meshes where closed forms serve

@@ -47,7 +47,7 @@ bool DirectSimulation::addRound(long long first, int count, Workers& workers, Ta
   return workers.forEach(static_cast<std::size_t>(tally.replicates()), [&](std::size_t p) {
     const int replicate = static_cast<int>(p);
     std::vector<std::uint32_t> met;
-    walkTrajectories(this->Lit, this->Source, this->Wanted.seed, replicate, first, count,
+    walkTrajectories(this->Lit, this->Source, this->Wanted.walks(), replicate, first, count,
                      [&](const Segment& segment) { this->score(segment, replicate, met, tally); });
   });
 }

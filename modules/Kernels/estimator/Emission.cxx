@@ -21,29 +21,33 @@ Emission::Emission(const Scene& scene) : Lit(scene)
   }
 }
 
-EmissionSample Emission::sample(RandomStream& random) const
+EmissionSample Emission::sample(SampleStream& random) const
 {
   const double target = random.next() * this->TotalFlux;
   const auto found = std::upper_bound(this->Cumulative.begin(), this->Cumulative.end(), target);
   const auto i = std::min<std::size_t>(found - this->Cumulative.begin(), this->Cumulative.size() - 1);
+  // What the choice leaves over is uniform again: emitter, point and direction are one block of numbers.
+  const double before = i ? this->Cumulative[i - 1] : 0;
+  const double u = std::min((target - before) / (this->Cumulative[i] - before), 0x1.fffffffffffffp-1);
   const auto& luminaires = this->Lit.data().luminaires;
-  return i < luminaires.size() ? this->fromLuminaire(luminaires[i], random)
-                               : this->fromTriangle(this->Triangles[i - luminaires.size()], random);
+  return i < luminaires.size() ? this->fromLuminaire(luminaires[i], u, random)
+                               : this->fromTriangle(this->Triangles[i - luminaires.size()], u, random);
 }
 
-EmissionSample Emission::fromLuminaire(const Luminaire& luminaire, RandomStream& random) const
+EmissionSample Emission::fromLuminaire(const Luminaire& luminaire, double u, SampleStream& random) const
 {
   EmissionSample start;
   start.fromPoint = luminaire.isPoint();
   start.position = luminaire.position;
   start.normal = luminaire.axis;
   start.weight = uniformBands(this->TotalFlux);
+  double u1 = u;
   if (!luminaire.isPoint())
   {
-    const double u = random.next() - 0.5, v = random.next() - 0.5;
-    start.position += u * luminaire.sideU + v * luminaire.sideV;
+    start.position += (u - 0.5) * luminaire.sideU + (random.next() - 0.5) * luminaire.sideV;
+    u1 = random.next();
   }
-  const double u1 = random.next(), u2 = random.next();
+  const double u2 = random.next();
   start.direction = sampleDirection(luminaire, u1, u2);
   // A lamp mounted flush with a ceiling shines into the room.
   if (luminaire.distribution == Distribution::Lambertian)
@@ -51,11 +55,10 @@ EmissionSample Emission::fromLuminaire(const Luminaire& luminaire, RandomStream&
   return start;
 }
 
-EmissionSample Emission::fromTriangle(std::uint32_t t, RandomStream& random) const
+EmissionSample Emission::fromTriangle(std::uint32_t t, double u, SampleStream& random) const
 {
   double b1, b2;
-  const double u1 = random.next(), u2 = random.next();
-  uniformTriangle(u1, u2, b1, b2);
+  uniformTriangle(u, random.next(), b1, b2);
   const Vec3 a = this->Lit.corner(t, 0);
   EmissionSample start;
   start.onSurface = true;

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "sampling/Random.h"
+#include "sampling/SampleStream.h"
 #include "scene/Scene.h"
 
 namespace kalos
@@ -28,11 +28,12 @@ public:
   double totalFlux() const { return this->TotalFlux; }  ///< lm, photometric
 
   /// Draws an emitter, a point on it and a direction; every sample carries the whole photometric flux.
-  EmissionSample sample(RandomStream& random) const;
+  EmissionSample sample(SampleStream& random) const;
 
 private:
-  EmissionSample fromLuminaire(const Luminaire& luminaire, RandomStream& random) const;
-  EmissionSample fromTriangle(std::uint32_t triangle, RandomStream& random) const;
+  // u: uniform in [0,1), left over from the choice of the emitter.
+  EmissionSample fromLuminaire(const Luminaire& luminaire, double u, SampleStream& random) const;
+  EmissionSample fromTriangle(std::uint32_t triangle, double u, SampleStream& random) const;
 
   const Scene& Lit;
   std::vector<std::uint32_t> Triangles;  // the emitting ones

@@ -5,8 +5,8 @@
 
 namespace kalos
 {
-Gathering::Gathering(const Scene& scene, const Emission& emission, std::uint64_t seed, bool shadows)
-    : Lit(scene), Density(scene, emission, seed), Shadows(shadows), Luminaires(scene, false, shadows), Mirrored(scene)
+Gathering::Gathering(const Scene& scene, const Emission& emission, const Walks& walks, bool shadows)
+    : Lit(scene), Density(scene, emission, walks), Shadows(shadows), Luminaires(scene, false, shadows), Mirrored(scene)
 {
 }
 
@@ -22,9 +22,9 @@ double Gathering::blockShare(int trajectories) const
   return rayWorth / (trajectories * std::min(1.0, blockSize / vertices));
 }
 
-bool Gathering::draw(const Sensor& sensor, double u1, double u2, RandomStream& random, Ray& ray,
-                     Bands& throughput) const
+bool Gathering::draw(const Sensor& sensor, SampleStream& random, Ray& ray, Bands& throughput) const
 {
+  const double u1 = random.next(), u2 = random.next();
   if (!sensor.brdf)
   {
     ray.direction = Frame(sensor.normal).toWorld(cosineHemisphere(u1, u2));
@@ -50,21 +50,20 @@ bool Gathering::draw(const Sensor& sensor, double u1, double u2, RandomStream& r
   return true;
 }
 
-Bands Gathering::gather(const Sensor& sensor, const GatherPool& pool, const Start& start, RandomStream& random,
+Bands Gathering::gather(const Sensor& sensor, const GatherPool& pool, const Start& start, SampleStream& random,
                         Bands& emission) const
 {
   const int bands = this->Lit.bands();
   const double later = this->blockShare(pool.trajectories);
   double share = start.share;
   bool seesEmission = start.seesEmission;
-  double u1 = start.u1, u2 = start.u2;
   Sensor at = sensor;
   Bands sum{}, throughput = uniformBands(1);
   for (bool first = true;; first = false)
   {
     // Find what the sensor sees in a direction of its response.
     Ray ray;
-    if (!this->draw(at, u1, u2, random, ray, throughput))
+    if (!this->draw(at, random, ray, throughput))
       return sum;
     const SurfacePoint y = this->Lit.trace(at.position, at.normal, ray.direction);
     if (ray.mirror)
@@ -130,12 +129,10 @@ Bands Gathering::gather(const Sensor& sensor, const GatherPool& pool, const Star
     at = next;
     share = later;
     seesEmission = true;
-    u1 = random.next();
-    u2 = random.next();
   }
 }
 
-void Gathering::addVertexLight(const Sensor& sensor, const GatherPool& pool, RandomStream& random,
+void Gathering::addVertexLight(const Sensor& sensor, const GatherPool& pool, SampleStream& random,
                                const Bands& throughput, Bands& sum) const
 {
   thread_local DirectLight::View scratch;
@@ -149,7 +146,7 @@ void Gathering::addVertexLight(const Sensor& sensor, const GatherPool& pool, Ran
     sum[b] += throughput[b] * (direct[b] + vertices[b] / pool.trajectories);
 }
 
-void Gathering::scoreBlock(const Sensor& sensor, const VertexSet& set, double share, RandomStream& random,
+void Gathering::scoreBlock(const Sensor& sensor, const VertexSet& set, double share, SampleStream& random,
                            Bands& sum) const
 {
   if (set.size() == 0)

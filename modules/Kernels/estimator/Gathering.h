@@ -20,7 +20,7 @@ struct GatherPool
 class Gathering
 {
 public:
-  Gathering(const Scene& scene, const Emission& emission, std::uint64_t seed, bool shadows);
+  Gathering(const Scene& scene, const Emission& emission, const Walks& walks, bool shadows);
 
   const Pilot& pilot() const { return this->Density; }
 
@@ -28,14 +28,13 @@ public:
   {
     double share;       ///< gather rays of the sensor per trajectory that scores at it; G* = density/share
     bool seesEmission;  ///< add (1 - a) of the exitance where the first ray ends; false when it is known exactly
-    double u1, u2;      ///< direction of the first ray, in [0,1)
   };
 
   /// One gather ray: the share 1 - a of the light that reaches the sensor from surfaces, lx per band weighted by its
   /// response. The illuminance where the ray ends is estimated by a block of the pool's vertices, the luminaires, and
   /// a gather ray of its own; ended by Russian roulette. The part that is exitance met by the first ray is added to
   /// `emission` too.
-  Bands gather(const Sensor& sensor, const GatherPool& pool, const Start& start, RandomStream& random,
+  Bands gather(const Sensor& sensor, const GatherPool& pool, const Start& start, SampleStream& random,
                Bands& emission) const;
 
 private:
@@ -47,11 +46,11 @@ private:
     double density;  // per sr
     bool mirror;
   };
-  bool draw(const Sensor& sensor, double u1, double u2, RandomStream& random, Ray& ray, Bands& throughput) const;
+  bool draw(const Sensor& sensor, SampleStream& random, Ray& ray, Bands& throughput) const;
   double blockShare(int trajectories) const;
-  void addVertexLight(const Sensor& sensor, const GatherPool& pool, RandomStream& random, const Bands& throughput,
+  void addVertexLight(const Sensor& sensor, const GatherPool& pool, SampleStream& random, const Bands& throughput,
                       Bands& sum) const;
-  void scoreBlock(const Sensor& sensor, const VertexSet& set, double share, RandomStream& random, Bands& sum) const;
+  void scoreBlock(const Sensor& sensor, const VertexSet& set, double share, SampleStream& random, Bands& sum) const;
 
   const Scene& Lit;
   Pilot Density;

@@ -19,8 +19,8 @@ LocalEstimation::LocalEstimation(const Scene& scene, const Receivers& receivers,
     : Lit(scene),
       Wanted(settings),
       Source(scene),
-      Direct(scene, receivers, settings.seed),
-      CollisionsPerArea(Pilot(scene, this->Source, settings.seed).typical()),
+      Direct(scene, receivers, settings.walks()),
+      CollisionsPerArea(Pilot(scene, this->Source, settings.walks()).typical()),
       Alteration(makeAlteration(scene, receivers, settings, this->CollisionsPerArea * plannedTrajectories(settings)))
 {
 }
@@ -46,8 +46,10 @@ bool LocalEstimation::addRound(long long first, int count, Workers& workers, Tal
   if (!(this->Source.totalFlux() > 0))
     return true;  // a dark scene
   const int replicates = tally.replicates();
+  if (this->Direct.complete())
+    return this->Direct.scoreAll(first, count, workers, tally);
   const std::vector<VertexPool> pools =
-      traceRound(this->Lit, this->Source, this->Wanted.seed, replicates, first, count, workers);
+      traceRound(this->Lit, this->Source, this->Wanted.walks(), replicates, first, count, workers);
   if (pools.empty())
     return false;
 
@@ -121,7 +123,7 @@ void LocalEstimation::alter(std::size_t r, int replicate, const VertexSet& verti
 
 bool LocalEstimation::trusts(std::size_t receiver, long long trajectories) const
 {
-  return this->Alteration ||
+  return this->Alteration || this->Direct.complete() ||
          nearFieldIsSeen(this->NearKernel[receiver], this->CollisionsPerArea * static_cast<double>(trajectories));
 }
 

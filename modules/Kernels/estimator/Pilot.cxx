@@ -22,13 +22,13 @@ Vec3 childCentre(const Vec3& centre, double half, int i)
 }
 }  // namespace
 
-Pilot::Pilot(const Scene& scene, const Emission& emission, std::uint64_t seed)
+Pilot::Pilot(const Scene& scene, const Emission& emission, const Walks& walks)
     : Lit(scene), Flux(emission.totalFlux()), Nodes(1)
 {
   std::vector<Collision> points;
   if (this->Flux > 0)
   {
-    const VertexPool pool = traceTrajectories(scene, emission, seed, replicate, 0, trajectories);
+    const VertexPool pool = traceTrajectories(scene, emission, walks, replicate, 0, trajectories);
     for (const VertexSet* set : {&pool.reflected, &pool.glossy})
       for (std::size_t i = 0; i < set->size(); ++i)
         points.push_back({set->position(i), set->normal(i)});

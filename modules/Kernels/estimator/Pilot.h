@@ -12,7 +12,7 @@ namespace kalos
 class Pilot
 {
 public:
-  Pilot(const Scene& scene, const Emission& emission, std::uint64_t seed);
+  Pilot(const Scene& scene, const Emission& emission, const Walks& walks);
 
   /// Collisions per trajectory.
   double collisions() const { return this->Collisions; }

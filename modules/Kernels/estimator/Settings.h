@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/Vector.h"
+#include "sampling/SampleStream.h"
 
 namespace kalos
 {
@@ -31,9 +32,12 @@ struct Settings
   double relativeError = 0;    ///< goal: 95 % half-width over value at every receiver; 0: no such goal
   double seconds = 0;          ///< goal: stop after this time; 0: no such goal
   std::uint64_t seed = 1;
-  int threads = 0;     ///< 0: all processors
-  double delta = 0;    ///< m, distance below which the sphere methods average; <= 0: automatic
+  Sampling sampling = Sampling::Sobol;  ///< of trajectories, shadow and gather rays
+  int threads = 0;                      ///< 0: all processors
+  double delta = 0;                     ///< m, distance below which the sphere methods average; <= 0: automatic
   double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; 0: automatic
+
+  Walks walks() const { return {this->seed, this->sampling}; }
 };
 
 /// Trajectories of a solve without a goal and a limit, and those that automatic lengths are made for where there is no

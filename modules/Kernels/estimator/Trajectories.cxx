@@ -15,7 +15,7 @@ namespace
 // Walks one trajectory. `onStart(sample)`, `onSegment(from, direction, point, weight, first)`, with `from` off its
 // surface, and `onCollision(point, towardsLight, weight)` see what happens.
 template <class OnStart, class OnSegment, class OnCollision>
-void walk(const Scene& scene, const Emission& emission, RandomStream random, OnStart onStart, OnSegment onSegment,
+void walk(const Scene& scene, const Emission& emission, SampleStream random, OnStart onStart, OnSegment onSegment,
           OnCollision onCollision)
 {
   const EmissionSample start = emission.sample(random);
@@ -47,7 +47,7 @@ void walk(const Scene& scene, const Emission& emission, RandomStream random, OnS
 }
 }  // namespace
 
-VertexPool traceTrajectories(const Scene& scene, const Emission& emission, std::uint64_t seed, int replicate,
+VertexPool traceTrajectories(const Scene& scene, const Emission& emission, const Walks& walks, int replicate,
                              long long first, int count)
 {
   VertexPool pool(scene.bands());
@@ -65,7 +65,7 @@ VertexPool traceTrajectories(const Scene& scene, const Emission& emission, std::
   for (long long i = first; i < first + count; ++i)
   {
     walk(
-        scene, emission, RandomStream(seed, replicate, Purpose::Trajectory, i),
+        scene, emission, walks.stream(replicate, Purpose::Trajectory, i),
         [&](const EmissionSample& start) {
           if (start.onSurface)
             pool.emitted.add(scene, start.position, start.normal, start.weight, 1 / start.density);
@@ -75,13 +75,13 @@ VertexPool traceTrajectories(const Scene& scene, const Emission& emission, std::
   return pool;
 }
 
-void walkTrajectories(const Scene& scene, const Emission& emission, std::uint64_t seed, int replicate, long long first,
+void walkTrajectories(const Scene& scene, const Emission& emission, const Walks& walks, int replicate, long long first,
                       int count, const std::function<void(const Segment&)>& visit)
 {
   for (long long i = first; i < first + count; ++i)
   {
     walk(
-        scene, emission, RandomStream(seed, replicate, Purpose::Trajectory, i), [](auto&&...) {},
+        scene, emission, walks.stream(replicate, Purpose::Trajectory, i), [](auto&&...) {},
         [&](const Vec3& from, const Vec3& direction, const SurfacePoint& point, const Bands& weight,
             bool firstSegment) {
           Vec3 to = from + (4 * (scene.size() + length(from))) * direction;

@@ -30,11 +30,11 @@ struct Segment
 
 /// Traces trajectories [first, first + count) of a replicate. Ended by Russian roulette on the luminous share that a
 /// surface reflects, never by a depth limit.
-VertexPool traceTrajectories(const Scene& scene, const Emission& emission, std::uint64_t seed, int replicate,
+VertexPool traceTrajectories(const Scene& scene, const Emission& emission, const Walks& walks, int replicate,
                              long long first, int count);
 
 /// The same trajectories, segment by segment.
-void walkTrajectories(const Scene& scene, const Emission& emission, std::uint64_t seed, int replicate, long long first,
+void walkTrajectories(const Scene& scene, const Emission& emission, const Walks& walks, int replicate, long long first,
                       int count, const std::function<void(const Segment&)>& visit);
 }  // namespace kalos
 

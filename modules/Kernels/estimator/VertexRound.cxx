@@ -3,7 +3,7 @@
 
 namespace kalos
 {
-std::vector<VertexPool> traceRound(const Scene& scene, const Emission& emission, std::uint64_t seed, int replicates,
+std::vector<VertexPool> traceRound(const Scene& scene, const Emission& emission, const Walks& walks, int replicates,
                                    long long first, int count, Workers& workers)
 {
   constexpr int chunkSize = 512;  // trajectories traced by one task
@@ -11,7 +11,7 @@ std::vector<VertexPool> traceRound(const Scene& scene, const Emission& emission,
   std::vector<VertexPool> chunks(static_cast<std::size_t>(replicates) * chunksEach);
   const bool traced = workers.forEach(chunks.size(), [&](std::size_t i) {
     const int replicate = static_cast<int>(i / chunksEach), begin = static_cast<int>(i % chunksEach) * chunkSize;
-    chunks[i] = traceTrajectories(scene, emission, seed, replicate, first + begin, std::min(chunkSize, count - begin));
+    chunks[i] = traceTrajectories(scene, emission, walks, replicate, first + begin, std::min(chunkSize, count - begin));
   });
   if (!traced)
     return {};

@@ -9,7 +9,7 @@
 namespace kalos
 {
 /// Traces trajectories [first, first + count) of every replicate. Empty when aborted.
-std::vector<VertexPool> traceRound(const Scene& scene, const Emission& emission, std::uint64_t seed, int replicates,
+std::vector<VertexPool> traceRound(const Scene& scene, const Emission& emission, const Walks& walks, int replicates,
                                    long long first, int count, Workers& workers);
 
 /// Random numbers of one receiver in one replicate; `position` counts what was drawn before in that purpose.

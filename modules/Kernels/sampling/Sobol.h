@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The first two dimensions of Sobol's sequence, Owen-scrambled by hashing: a (0,2)-sequence in base 2, stratified in
-// both dimensions and in their products, unbiased under its random scrambling (Owen 1995; hash by Laine and Karras
-// 2011, with the constants of Vegdahl 2021).
+// The first four dimensions of Sobol's sequence, Owen-scrambled by hashing: the first two are a (0,2)-sequence in base
+// 2, stratified in both dimensions and in their products; unbiased under random scrambling (Owen 1995; hash by Laine
+// and Karras 2011, with the constants of Vegdahl 2021).
 #ifndef kalos_sampling_Sobol_h
 #define kalos_sampling_Sobol_h
 
@@ -32,17 +32,57 @@ inline std::uint32_t owenScramble(std::uint32_t x, std::uint32_t seed)
   return reverseBits(x);
 }
 
+/// Columns of the generator matrices of the first four dimensions (Joe and Kuo 2008), as 32-bit fractions.
+struct SobolColumns
+{
+  static constexpr int dimensions = 4;
+  std::uint32_t column[32][dimensions] = {};
+
+  constexpr SobolColumns()
+  {
+    constexpr int degree[] = {0, 1, 2, 3}, coefficients[] = {0, 0, 1, 1};
+    constexpr std::uint32_t initial[][3] = {{0, 0, 0}, {1, 0, 0}, {1, 3, 0}, {1, 3, 1}};
+    for (int d = 0; d < dimensions; ++d)
+      for (int i = 0; i < 32; ++i)
+      {
+        const int s = degree[d];
+        std::uint32_t v = 0;
+        if (d == 0)
+          v = 0x80000000u >> i;
+        else if (i < s)
+          v = initial[d][i] << (31 - i);
+        else
+        {
+          v = this->column[i - s][d] ^ (this->column[i - s][d] >> s);
+          for (int k = 1; k < s; ++k)
+            if ((coefficients[d] >> (s - 1 - k)) & 1)
+              v ^= this->column[i - k][d];
+        }
+        this->column[i][d] = v;
+      }
+  }
+};
+inline constexpr SobolColumns sobolColumns{};
+
+/// The first `dimensions` coordinates, at most four, of point `index`, not scrambled, as 32-bit fractions.
+inline void sobolBits(std::uint32_t index, int dimensions, std::uint32_t* bits)
+{
+  for (int d = 0; d < dimensions; ++d)
+    bits[d] = 0;
+  for (int i = 0; index; index >>= 1, ++i)
+    if (index & 1)
+      for (int d = 0; d < dimensions; ++d)
+        bits[d] ^= sobolColumns.column[i][d];
+}
+
 /// Point `index` of the scrambled sequence that `key` selects; u1, u2 in [0,1).
 inline void sobolPoint(std::uint64_t key, std::uint32_t index, double& u1, double& u2)
 {
-  const std::uint32_t first = reverseBits(index);
-  std::uint32_t second = 0;
-  for (std::uint32_t column = 0x80000000u, i = index; i; i >>= 1, column ^= column >> 1)
-    if (i & 1)
-      second ^= column;
+  std::uint32_t bits[2];
+  sobolBits(index, 2, bits);
   const std::uint64_t seeds = mixBits(key);
-  u1 = owenScramble(first, static_cast<std::uint32_t>(seeds)) * 0x1.0p-32;
-  u2 = owenScramble(second, static_cast<std::uint32_t>(seeds >> 32)) * 0x1.0p-32;
+  u1 = owenScramble(bits[0], static_cast<std::uint32_t>(seeds)) * 0x1.0p-32;
+  u2 = owenScramble(bits[1], static_cast<std::uint32_t>(seeds >> 32)) * 0x1.0p-32;
 }
 }  // namespace kalos
 

@@ -54,6 +54,8 @@ Audit auditScene(const Scene& scene, const std::vector<Vec3>& receivers)
   Audit audit;
   for (std::uint32_t t = 0; t < scene.data().triangles.size(); ++t)
     audit.emittingTriangles += photometric(scene.material(t).exitance, scene.bands()) > 0;
+  for (const Material& m : scene.data().materials)
+    audit.reflects = audit.reflects || photometric(m.reflectance, scene.bands()) > 0 || m.specular > 0 || m.mirror > 0;
   audit.unoccluded = nothingOccludes(scene, receivers);
   return audit;
 }

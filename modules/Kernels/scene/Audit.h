@@ -13,6 +13,7 @@ struct Audit
   /// luminaires lie in the hull, so that nothing can stand between any two of them.
   bool unoccluded = false;
   std::uint32_t emittingTriangles = 0;
+  bool reflects = false;  ///< some surface does
 };
 
 /// `receivers` in scene coordinates. Looks for a convex hull only where that takes well under a second.
