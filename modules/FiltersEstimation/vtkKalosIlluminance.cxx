@@ -90,7 +90,7 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
 
     const kalos::Result result =
         kalos::solve(scene, receivers, this->MakeSettings(), [this](double f) { return this->ReportProgress(f); });
-    if (result.aborted)
+    if (result.trajectories == 0)  // stopped before the first round was complete
       return 1;
     std::size_t next = 0;
     for (vtkDataSet* leaf : leaves)

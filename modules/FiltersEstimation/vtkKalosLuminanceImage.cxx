@@ -80,7 +80,7 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
                                this->FieldOfView,      this->Resolution[0],  this->Resolution[1]};
     const kalos::LuminanceResult result = kalos::solveLuminance(scene, camera, this->MakeSettings(),
                                                                 [this](double f) { return this->ReportProgress(f); });
-    if (result.estimate.aborted)
+    if (result.estimate.trajectories == 0)  // stopped before the first round was complete
       return 1;
     output->SetDimensions(camera.width, camera.height, 1);
     AddPixels(output, vtkKalosArrayNames::Luminance, result.luminance);

@@ -3,13 +3,23 @@
 
 REFLECTANCE = "Reflectance"
 EXITANCE = "Exitance"
+SPECULAR = "Specular"
+ROUGHNESS = "Roughness"
+MIRROR = "Mirror"
 SURFACE_ID = "SurfaceId"
 SURFACE_NAMES = "SurfaceNames"
+
+LUMINOUS_FLUX = "LuminousFlux"
+DIRECTION = "Direction"
+DISTRIBUTION = "Distribution"
+SIDE_U = "SideU"
+SIDE_V = "SideV"
 
 ILLUMINANCE = "Illuminance"
 ILLUMINANCE_STANDARD_ERROR = "IlluminanceStandardError"
 DIRECT_ILLUMINANCE = "DirectIlluminance"
 INTERVAL_TRUSTED = "IntervalTrusted"
+ILLUMINANCE_BANDS = "IlluminanceBands"
 
 LUMINANCE = "Luminance"
 LUMINANCE_STANDARD_ERROR = "LuminanceStandardError"

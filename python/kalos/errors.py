@@ -20,6 +20,22 @@ class KalosError(Exception):
         self.status = status
 
 
+class InputError(KalosError, ValueError):
+    """An argument of the Python interface that can not be used: its name, its shape and what is expected."""
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C, or the stop button of a notebook, ended a solve.
+
+    partial is the result of the rounds that were complete, with the standard errors they reached; None before the first.
+    """
+
+    def __init__(self, partial):
+        super().__init__("stopped before the end; " + ("no round was complete" if partial is None else
+                                                       f"partial holds the {partial.trajectories} trajectories until then"))
+        self.partial = partial
+
+
 def update(algorithm, request=None):
     """Brings a VTK algorithm up to date; its first error event becomes a KalosError."""
     messages = []

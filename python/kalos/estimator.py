@@ -42,10 +42,11 @@ class Options:
 
 
 @contextlib.contextmanager
-def named_options():
+def named_options(prefix="--", automatic="auto"):
     """Within, an estimator's complaint about a setting becomes one about the command's option of that name.
 
-    The filters say `delta: is 7.5 m, expected 0 (automatic) up to ...`; the command knows automatic as `auto`.
+    The filters say `delta: is 7.5 m, expected 0 (automatic) up to ...`; the command knows automatic as `auto`, Python
+    as None.
     """
     try:
         yield
@@ -54,5 +55,5 @@ def named_options():
         if not separator or name not in Options.__dataclass_fields__:
             raise
         rest = re.sub(r"(\.\d*?)0+(?= m\b)", lambda match: match[1].rstrip("."), rest)
-        raise KalosError(f"--{name}: {rest.replace('expected 0 (automatic)', 'expected auto, or a length')}",
+        raise KalosError(f"{prefix}{name}: {rest.replace('expected 0 (automatic)', f'expected {automatic}, or a length')}",
                          error.status) from None

@@ -12,14 +12,18 @@ WIDTH = 30
 
 
 class ProgressBar:
-    """A bar on a terminal; elsewhere, in a log, a line with a mark at every tenth. Nothing before `patience` seconds."""
+    """A bar on a terminal, with the time so far and the time to go; elsewhere, in a log, a line with a mark at every tenth.
+
+    Nothing shows before `patience` seconds.
+    """
 
     def __init__(self, label, stream=None, patience=0):
         self.label = label
         self.stream = stream or sys.stderr
         self.terminal = self.stream.isatty()
         self.shown = -1
-        self.earliest = time.monotonic() + patience
+        self.started = time.monotonic()
+        self.earliest = self.started + patience
 
     def show(self, fraction):
         step = int(fraction * (100 if self.terminal else 10))
@@ -27,7 +31,9 @@ class ProgressBar:
             return
         if self.terminal:
             done = int(fraction * WIDTH)
-            self.stream.write(f"\r{self.label:<24} [{'#' * done}{' ' * (WIDTH - done)}] {step:3d} %")
+            elapsed = time.monotonic() - self.started
+            left = clock(elapsed * (1 - fraction) / fraction) if fraction > 0 else "?"
+            self.stream.write(f"\r{self.label:<24} [{'#' * done}{' ' * (WIDTH - done)}] {step:3d} %  {clock(elapsed)} < {left} ")
         else:
             first = f"{self.label:<24} " if self.shown < 0 else ""
             self.stream.write(first + "".join(f"{10 * k}% " for k in range(self.shown + 1, step + 1)))
@@ -40,34 +46,60 @@ class ProgressBar:
             self.stream.flush()
 
 
+def clock(seconds):
+    """Minutes and seconds, and hours when there are any: 0:07, 1:02:03."""
+    minutes, seconds = divmod(int(seconds + 0.5), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02d}:{seconds:02d}" if hours else f"{minutes}:{seconds:02d}"
+
+
 def run(algorithm, label, stream=None, patience=0):
     """Brings a long-running algorithm up to date with a progress bar and returns its output.
 
     Ctrl-C stops it cleanly, as a KalosError.
     """
-    bar = ProgressBar(label, stream, patience)
-
-    def show(caller, _event):
-        if 0 < caller.GetProgress() < 1:  # VTK reports 1 after a failure too
-            bar.show(caller.GetProgress())
-
-    with stop_signals(algorithm) as stop:
-        tag = algorithm.AddObserver("ProgressEvent", show)
-        try:
-            update(algorithm)
-            if not stop:
-                bar.show(1)
-        finally:
-            algorithm.RemoveObserver(tag)
-            bar.close()
-    if stop:
+    if watch(algorithm, ProgressBar(label, stream, patience), signals=(signal.SIGINT, signal.SIGTERM)):
         raise KalosError("stopped before the end; nothing was written", FAILED)
     return algorithm.GetOutputDataObject(0)
 
 
+def watch(algorithm, progress=None, label="", signals=(signal.SIGINT,)):
+    """Brings a long-running algorithm up to date; returns whether one of the signals stopped it.
+
+    `progress` is a ProgressBar, True for one with `label`, a function of a fraction in (0, 1], or nothing. What the function
+    raises stops the algorithm and is raised from here: VTK would print and drop it.
+    """
+    bar = ProgressBar(label) if progress is True else progress if isinstance(progress, ProgressBar) else None
+    tell = bar.show if bar else progress or (lambda fraction: None)
+    raised = []
+
+    def show(caller, _event):
+        if raised or not 0 < caller.GetProgress() < 1:  # VTK reports 1 after a failure too
+            return
+        try:
+            tell(caller.GetProgress())
+        except BaseException as error:
+            raised.append(error)
+            algorithm.SetAbortExecute(1)
+
+    with stop_signals(algorithm, signals) as stop:
+        tag = algorithm.AddObserver("ProgressEvent", show)
+        try:
+            update(algorithm)
+            if not stop and not raised:
+                tell(1)
+        finally:
+            algorithm.RemoveObserver(tag)
+            if bar:
+                bar.close()
+    if raised:
+        raise raised[0]
+    return bool(stop)
+
+
 @contextlib.contextmanager
-def stop_signals(algorithm):
-    """Within, SIGINT and SIGTERM abort the algorithm and are noted in the list this yields.
+def stop_signals(algorithm, signals):
+    """Within, the signals abort the algorithm and are noted in the list this yields.
 
     Python calls the handlers when the next progress event enters the interpreter.
     """
@@ -80,7 +112,7 @@ def stop_signals(algorithm):
     if threading.current_thread() is not threading.main_thread():
         yield stop
         return
-    previous = {number: signal.signal(number, handler) for number in (signal.SIGINT, signal.SIGTERM)}
+    previous = {number: signal.signal(number, handler) for number in signals}
     try:
         yield stop
     finally:

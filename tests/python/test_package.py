@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 def test_array_names_are_those_of_the_header():
     header = (ROOT / "modules" / "CommonPhotometry" / "vtkKalosArrayNames.h").read_text()
-    names = set(re.findall(r'constexpr const char\* (\w+) = "\1";', header))
+    names = set(re.findall(r'constexpr const char\* (\w+) =\s+"\1";', header))
     ours = {value for key, value in vars(arrays).items() if key.isupper()}
     assert ours and ours <= names
 

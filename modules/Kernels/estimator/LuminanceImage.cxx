@@ -160,7 +160,7 @@ LuminanceResult solveLuminance(const Scene& scene, const Camera& camera, const S
   if (effort.trajectories == 0 && effort.relativeError == 0 && effort.seconds == 0)
     effort.trajectories = trajectoriesPerPixel;
   image.estimate = solve(scene, lines.receivers(), effort, progress);
-  if (!image.estimate.aborted)
+  if (image.estimate.trajectories > 0)
     lines.reflect(image.estimate);
   return image;
 }

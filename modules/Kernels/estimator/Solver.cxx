@@ -16,6 +16,8 @@ namespace
 constexpr long long unlimited = std::numeric_limits<long long>::max() / 64;
 constexpr int largestRound = 8192;  // trajectories per replicate: bounds the memory of the vertices
 constexpr int firstRound = 64;      // with a goal: enough for a first standard error
+constexpr int smallestRound = 256;
+constexpr double largestWork = 1 << 25;  // trajectories times receivers: a stop loses the round that it interrupts
 
 void check(const Receivers& receivers, const Settings& s)
 {
@@ -40,8 +42,13 @@ void check(const Receivers& receivers, const Settings& s)
 class Schedule
 {
 public:
-  Schedule(const Settings& settings, int replicates, long long limit)
-      : Wanted(settings), Limit((limit + replicates - 1) / replicates), Quantile(studentQuantile(0.95, replicates - 1))
+  Schedule(const Settings& settings, const Tally& tally, long long limit)
+      : Wanted(settings),
+        Limit((limit + tally.replicates() - 1) / tally.replicates()),
+        LargestRound(
+            static_cast<int>(std::clamp(largestWork / (static_cast<double>(tally.receivers()) * tally.replicates() + 1),
+                                        static_cast<double>(smallestRound), static_cast<double>(largestRound)))),
+        Quantile(studentQuantile(0.95, tally.replicates() - 1))
   {
   }
 
@@ -74,7 +81,7 @@ public:
         target = std::min(target, done + static_cast<long long>(0.9 * left / each) + 1);
       }
     }
-    return static_cast<int>(std::min<long long>(largestRound, std::min(target, this->Limit) - done));
+    return static_cast<int>(std::min<long long>(this->LargestRound, std::min(target, this->Limit) - done));
   }
 
   double fraction() const { return std::min(1.0, this->Fraction); }
@@ -94,8 +101,21 @@ private:
 
   Settings Wanted;
   long long Limit;
+  int LargestRound;
   double Quantile, Fraction = 0;
 };
+
+// Fills the result from `done` complete trajectories of every replicate.
+void conclude(const Tally& tally, long long done, const Estimator& estimator, Result& result)
+{
+  tally.write(done, result);
+  result.trajectories = done * tally.replicates();
+  result.trusted.clear();
+  for (std::size_t r = 0; r < tally.receivers(); ++r)
+    result.trusted.push_back(
+        tailIsLight(result.largestScoreShare[r], {result.illuminance[r], result.standardError[r]}) &&
+        estimator.trusts(r, result.trajectories));
+}
 
 double secondsSince(std::chrono::steady_clock::time_point start)
 {
@@ -114,7 +134,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   const std::unique_ptr<Estimator> estimator = makeEstimator(scene, receivers, settings);
   Workers workers(settings.threads, progress);
   Tally tally(receivers.points.size(), replicates, scene.bands());
-  Schedule schedule(settings, replicates, limit);
+  Schedule schedule(settings, tally, limit);
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpuStart = std::clock();
 
@@ -131,22 +151,16 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
                                        : static_cast<double>(done + count) * replicates / static_cast<double>(limit));
     running = estimator->addRound(done, count, workers, tally);
     if (running)
-      done += count;
+      conclude(tally, done += count, *estimator, result);
   }
   result.aborted = !running;
   result.alteredKernel = estimator->altersKernel();
-  result.trajectories = done * replicates;
-  if (running)
-  {
-    tally.write(std::max(1LL, done), result);
-    for (std::size_t r = 0; r < tally.receivers(); ++r)
-      result.trusted.push_back(
-          tailIsLight(result.largestScoreShare[r], {result.illuminance[r], result.standardError[r]}) &&
-          estimator->trusts(r, result.trajectories));
-  }
   result.seconds = secondsSince(start);
   result.cpuSeconds = static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC;
   result.audit = estimator->audit();
+  if (result.aborted)
+    result.audit.push_back({"stopped", "after " + std::to_string(result.trajectories) + " trajectories",
+                            "from outside, before the goal; the round that was under way is left out"});
   return result;
 }
 }  // namespace kalos

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The examples in the docstrings run and print what they say; every public function has one, typed and with its units."""
+import doctest
+import inspect
+
+import pytest
+
+import kalos
+from kalos import estimate, scene
+
+PUBLIC = ("illuminance", "luminance", "surface", "quad", "box", "luminaire", "panel")
+
+
+@pytest.mark.parametrize("module", [estimate, scene])
+def test_examples(module):
+    names = {name: getattr(kalos, name) for name in PUBLIC}
+    result = doctest.testmod(module, extraglobs=names)
+    assert result.attempted >= 5 and result.failed == 0
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_every_function_is_documented(name):
+    function = getattr(kalos, name)
+    assert ">>>" in function.__doc__ and ("lx" in function.__doc__ or "cd/m2" in function.__doc__ or ", m" in function.__doc__)
+    signature = inspect.signature(function)
+    assert signature.return_annotation is not inspect.Signature.empty
+    assert all(p.annotation is not inspect.Parameter.empty for p in signature.parameters.values())
