@@ -13,7 +13,10 @@ from kalos.estimator import METHODS, Options
 from kalos.receivers import from_dataset
 from kalos.solve import illuminance, read_scene, receiver_names
 
-DATA = Path(__file__).resolve().parents[2] / "data"
+PACKAGE = Path(__file__).resolve().parent
+DATA = PACKAGE.parents[1] / "data"  # of the source tree
+if not DATA.exists():
+    DATA = PACKAGE.parents[3] / "share" / "kalos" / "data"  # of an installed one
 REPLICATES = 32  # of every estimate; its standard error has one degree of freedom less
 OFFSET = 1e-5  # of the largest value: receivers are lifted off their surface by micrometres, so that it cannot hide them
 FALSE_ALARM = 1e-4  # chance that a sound method fails a case, however many points the case has

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FOLDERS = ("modules", "apps", "python", "tests")
+FOLDERS = ("modules", "apps", "python", "tests", "examples")
 
 
 def sources(*suffixes, below=FOLDERS):

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""cmake --install, then the prefix moved elsewhere: the command, the package, the plugin and find_package() work there."""
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(os.environ["KALOS_BUILD"])
+SCENE = ROOT / "data" / "cornell" / "cornell-empty.json"
+
+
+@pytest.fixture(scope="module")
+def prefix(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("install")
+    subprocess.run(["cmake", "--install", BUILD, "--prefix", folder / "first"], check=True, capture_output=True)
+    return shutil.move(folder / "first", folder / "prefix")
+
+
+def run(*arguments, **environment):
+    """Output of a program that knows nothing of the build tree."""
+    clean = {key: value for key, value in os.environ.items() if key not in ("PYTHONPATH", "KALOS")}
+    return subprocess.run([*map(str, arguments)], env={**clean, **environment}, text=True, capture_output=True, cwd="/",
+                          check=False)
+
+
+def test_nothing_points_into_the_build_tree(prefix):
+    names = subprocess.run(["grep", "-rl", "--include=*.py", "--include=*.cmake", "--include=kalos", str(BUILD), prefix],
+                           text=True, capture_output=True, check=False).stdout
+    assert names == ""
+    for library in prefix.rglob("*.so"):
+        dynamic = subprocess.run(["readelf", "-d", library], text=True, capture_output=True, check=True).stdout
+        assert str(BUILD) not in dynamic and "$ORIGIN" in dynamic, library
+        linked = subprocess.run(["ldd", library], text=True, capture_output=True, check=True).stdout
+        assert "not found" not in linked, library
+
+
+def test_command_on_the_path(prefix, tmp_path):
+    path = f"{prefix}/bin:{os.environ['PATH']}"
+    assert run("kalos", "--version", PATH=path).stdout == "kalos 0.1.0\n"
+    solved = run("kalos", "solve", SCENE, "--out", tmp_path / "out", "--trajectories", 64, PATH=path)
+    assert solved.returncode == 0, solved.stderr
+    assert json.loads((tmp_path / "out" / "summary.json").read_text())["receivers"]
+
+
+def test_command_through_a_link(prefix, tmp_path):
+    (tmp_path / "kalos").symlink_to(prefix / "bin" / "kalos")
+    assert run(tmp_path / "kalos", "--version").stdout == "kalos 0.1.0\n"
+
+
+def test_package_by_pythonpath(prefix):
+    package = prefix / "lib" / "python3" / "dist-packages"
+    program = ("import kalos, kalos.validate; print(kalos.__file__, kalos.vtkKalosIlluminance().GetClassName(), "
+               "kalos.validate.DATA)")
+    found = run(sys.executable, "-c", program, PYTHONPATH=str(package))
+    assert found.stdout == f"{package}/kalos/__init__.py vtkKalosIlluminance {prefix}/share/kalos/data\n", found.stderr
+    assert (prefix / "share" / "kalos" / "data" / "furnace" / "furnace.json").exists()
+
+
+def test_plugin_by_pv_plugin_path(prefix):
+    plugins, = prefix.glob("lib*/**/plugins")
+    program = "import paraview.simple as pv; print(pv.KalosCalculationPlane().GetXMLName())"
+    found = run("pvpython", "-c", program, PV_PLUGIN_PATH=str(plugins))
+    assert found.stdout.splitlines()[-1:] == ["KalosCalculationPlane"], found.stdout + found.stderr
+
+
+def test_example_project(prefix, tmp_path):
+    build = tmp_path / "build"
+    made = run("cmake", "-G", "Ninja", "-S", ROOT / "examples" / "cpp", "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}",
+               "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+    assert made.returncode == 0, made.stderr
+    built = run("cmake", "--build", build)
+    assert built.returncode == 0, built.stdout
+    lines = run(build / "desk", SCENE).stdout.splitlines()
+    assert len(lines) == 16 and all(re.fullmatch(r"\d+\.\d lx, standard error \d+\.\d", line) for line in lines)
+    wrong = run(build / "desk", "/nowhere.json")
+    assert wrong.returncode == 1 and "/nowhere.json" in wrong.stderr
