@@ -7,7 +7,8 @@
 // second, the luminance where they end being (M0 + rho E)/pi by the same estimator (estimator/Gathering.h). The balance
 // heuristic gives G* = (trajectories x collision density per trajectory and m2) / (gather rays), with the density about
 // the vertex from a pilot. Shadow rays go to vertices picked in proportion to their unshadowed scores, one packet per
-// block of 256. Bias: none. Source: compensation of clamped virtual lights (Kollig and Keller 2004) with a smooth
+// block of 256. Receivers with no surface near in front take all from the vertices (G* infinite): there the kernel is
+// bounded anyway. Bias: none. Source: compensation of clamped virtual lights (Kollig and Keller 2004) with a smooth
 // split.
 #ifndef kalos_estimator_CompensatedEstimation_h
 #define kalos_estimator_CompensatedEstimation_h
@@ -44,6 +45,7 @@ private:
   Emission Source;
   DirectPart Direct;
   Gathering Rays;
+  double Clearance;                 // m; receivers with no surface in front nearer than this need no gather rays
   std::vector<double> RayShare;     // gather rays per trajectory, per receiver
   std::vector<long long> RaysDone;  // of a replicate in earlier rounds, per receiver
 };

@@ -35,6 +35,7 @@ struct Settings
   Sampling sampling = Sampling::Sobol;  ///< of trajectories, shadow and gather rays
   int threads = 0;                      ///< 0: all processors
   double delta = 0;                     ///< m, distance below which the sphere methods average; <= 0: automatic
+  bool gatherEverywhere = false;        ///< `compensated` sends gather rays where nothing is near, too; moves no mean
   double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; 0: automatic
 
   Walks walks() const { return {this->seed, this->sampling}; }

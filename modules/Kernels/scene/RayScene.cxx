@@ -225,7 +225,7 @@ void RayScene::crossings(const Vec3& a, const Vec3& b, const std::function<void(
   rtcIntersect1(this->Impl->scene, &crossing.arguments, &query);
 #endif
 }
-void RayScene::nearby(const Vec3& p, double radius, const std::function<void(std::uint32_t)>& visit) const
+void RayScene::nearby(const Vec3& p, double radius, const std::function<bool(std::uint32_t)>& visit) const
 {
   RTCPointQuery query{};
   query.x = static_cast<float>(p.x);
@@ -235,8 +235,10 @@ void RayScene::nearby(const Vec3& p, double radius, const std::function<void(std
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   auto note = [](RTCPointQueryFunctionArguments* found) {
-    (*static_cast<const std::function<void(std::uint32_t)>*>(found->userPtr))(found->primID);
-    return false;  // the radius stays as it is
+    const bool goOn = (*static_cast<const std::function<bool(std::uint32_t)>*>(found->userPtr))(found->primID);
+    if (!goOn)
+      found->query->radius = 0;
+    return !goOn;  // whether the radius changed
   };
   rtcPointQuery(this->Impl->scene, &query, &context, note,
                 const_cast<void*>(static_cast<const void*>(&visit)));  // Embree's user pointer is not const

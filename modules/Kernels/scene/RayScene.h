@@ -57,8 +57,9 @@ public:
   /// particular order.
   void crossings(const Vec3& a, const Vec3& b, const std::function<void(std::uint32_t)>& visit) const;
 
-  /// Calls `visit(triangle)` for every triangle whose bounding box comes within `radius` of p; possibly some more.
-  void nearby(const Vec3& p, double radius, const std::function<void(std::uint32_t)>& visit) const;
+  /// Calls `visit(triangle)` for every triangle whose bounding box comes within `radius` of p, possibly for some more;
+  /// no longer than a little after it returned false.
+  void nearby(const Vec3& p, double radius, const std::function<bool(std::uint32_t)>& visit) const;
 
 private:
   struct Embree;

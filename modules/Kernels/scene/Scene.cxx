@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/Scene.h"
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -122,13 +124,38 @@ bool over(const Vec3& p, const Vec3 corners[3], const Vec3& normal, double reach
   }
   return true;
 }
+
+double squaredDistanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b)
+{
+  const Vec3 along = b - a;
+  const double squared = dot(along, along);
+  const double share = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0;
+  const Vec3 d = p - a - share * along;
+  return dot(d, d);
+}
+
+double squaredDistance(const Vec3& p, const Vec3 corners[3], const Vec3& normal)
+{
+  if (over(p, corners, normal, 0))
+  {
+    const double height = dot(p - corners[0], normal);
+    return height * height;
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i)
+    nearest = std::min(nearest, squaredDistanceToSegment(p, corners[i], corners[(i + 1) % 3]));
+  return nearest;
+}
 }  // namespace
 
 Vec3 Scene::settle(const Vec3& p, const Vec3& n) const
 {
   const double reach = length(this->offset(p, n) - p);
   std::vector<std::uint32_t> touched;
-  this->Rays.nearby(p, 2 * reach, [&](std::uint32_t t) { touched.push_back(t); });
+  this->Rays.nearby(p, 2 * reach, [&](std::uint32_t t) {
+    touched.push_back(t);
+    return true;
+  });
   std::sort(touched.begin(), touched.end());
   Vec3 settled = p;
   for (const std::uint32_t t : touched)
@@ -141,5 +168,19 @@ Vec3 Scene::settle(const Vec3& p, const Vec3& n) const
       settled += (reach - height) * side;
   }
   return settled;
+}
+
+bool Scene::clear(const Vec3& p, const Vec3& n, double radius) const
+{
+  const double touch = 4 * length(this->offset(p, n) - p);  // what reaches no higher is of the sensor's own surface
+  bool clear = true;
+  this->Rays.nearby(p, radius, [&](std::uint32_t t) {
+    const Vec3 corners[3] = {this->corner(t, 0), this->corner(t, 1), this->corner(t, 2)};
+    const bool inFront = std::any_of(corners, corners + 3, [&](const Vec3& c) { return dot(c - p, n) > touch; });
+    if (inFront && squaredDistance(p, corners, this->Normals[t]) < radius * radius)
+      clear = false;
+    return clear;
+  });
+  return clear;
 }
 }  // namespace kalos

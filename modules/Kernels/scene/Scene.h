@@ -76,6 +76,10 @@ public:
   /// the front side of every other surface it touches: moves it there, by at most a few offsets.
   Vec3 settle(const Vec3& p, const Vec3& n) const;
 
+  /// Whether no surface comes within `radius` of the sensor at p on the side of its unit normal n. Never true by
+  /// mistake; may be false where a surface that reaches to that side is so near on the other.
+  bool clear(const Vec3& p, const Vec3& n, double radius) const;
+
 private:
   static constexpr double offsetScale = 0x1.0p-20;
 

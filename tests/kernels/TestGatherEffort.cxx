@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Gather rays go to receivers that a surface is near, and nowhere else; no mean moves.
+#include <gtest/gtest.h>
+
+#include "Rooms.h"
+#include "estimator/Solver.h"
+#include "sampling/Random.h"
+#include "sampling/Warp.h"
+
+using namespace kalos;
+
+namespace
+{
+void add(Receivers& r, const Vec3& p, const Vec3& n)
+{
+  r.points.push_back(p);
+  r.normals.push_back(n);
+}
+
+/// Eight receivers near an edge, a corner, a contact or a wall in free space, then six far from all.
+Receivers nearAndFar()
+{
+  Receivers r;
+  for (double h : {1e-3, 0.1})
+  {
+    add(r, {h, 2.5, 0}, {0, 0, 1});
+    add(r, {5, h, h}, {-1, 0, 0});
+    add(r, {2.2 + h, 1.5, 0}, {0, 0, 1});
+    add(r, {5 - h, 4.2, 2}, {0, 0, 1});
+  }
+  add(r, {2.5, 2.5, 5}, {0, 0, -1});
+  add(r, {0, 2.5, 3.3}, {1, 0, 0});
+  add(r, {5, 1.4, 2.5}, {-1, 0, 0});
+  add(r, {1.6, 1.7, 1.5}, {0, 0, 1});
+  add(r, {1.5, 3.5, 5}, {0, 0, -1});
+  add(r, {2.5, 2.5, 3.5}, {0, 0, 1});
+  return r;
+}
+
+std::string gatheringReceivers(const Result& result)
+{
+  for (const AuditLine& line : result.audit)
+    if (line.subject == "gather rays")
+      return line.choice;
+  return {};
+}
+
+Settings settings(bool everywhere, std::uint64_t seed)
+{
+  Settings s;
+  s.trajectories = 65536;
+  s.gatherEverywhere = everywhere;
+  s.seed = seed;
+  return s;
+}
+}  // namespace
+
+// Independent runs: Welch's t of 31 + 31 degrees of freedom, Sidak for 28 comparisons: |t| < 4.5, false alarm 1e-3.
+TEST(GatherEffort, SameValuesWithFewerRays)
+{
+  for (double rho : {0.3, 0.8})
+  {
+    SceneDescription description = rooms::furnace(rho, 0);
+    description.luminaires = rooms::litRoom(rho).luminaires;
+    const Scene scene(description);
+    const Receivers r = nearAndFar();
+    const Result sparing = solve(scene, r, settings(false, 1)), all = solve(scene, r, settings(true, 2));
+    EXPECT_EQ(gatheringReceivers(sparing), "at 8 of 14 receivers");
+    EXPECT_EQ(gatheringReceivers(all), "at 14 of 14 receivers");
+    for (std::size_t i = 0; i < r.points.size(); ++i)
+    {
+      const double error = std::hypot(sparing.standardError[i], all.standardError[i]);
+      EXPECT_LT(std::abs(sparing.illuminance[i] - all.illuminance[i]), 4.5 * error) << rho << " point " << i;
+      EXPECT_LT(error, 0.04 * all.illuminance[i]) << rho << " point " << i;
+      // A standard error of 31 degrees of freedom is good to 13 %.
+      EXPECT_LT(sparing.standardError[i], 1.5 * all.standardError[i]) << rho << " point " << i;
+      EXPECT_TRUE(sparing.trusted[i]);
+    }
+  }
+}
+
+// In the white furnace the far receivers must have the closed form too: six at each reflectance, |t| < 4.5.
+TEST(GatherEffort, VerticesAloneAreExactWhereNothingIsNear)
+{
+  for (double rho : {0.5, 0.9})
+  {
+    const Scene scene(rooms::furnace(rho, 250 * (1 - rho)));
+    const Receivers r = nearAndFar();
+    const Result result = solve(scene, r, settings(false, 3));
+    for (std::size_t i = 8; i < r.points.size(); ++i)
+    {
+      EXPECT_LT(std::abs(result.illuminance[i] - 250), 4.5 * result.standardError[i]) << rho << " point " << i;
+      EXPECT_LT(result.standardError[i], 0.01 * 250) << rho << " point " << i;
+    }
+  }
+}
+
+// Light that a mirror sends is seen by gather rays only.
+TEST(GatherEffort, MirrorsAreGatheredEverywhere)
+{
+  SceneDescription description = rooms::furnace(0.5, 100);
+  description.materials.push_back({});
+  description.materials.back().mirror = uniformBands(0.5)[0];
+  rooms::addQuad(description, {2, 2, 4}, {0.5, 0, 0}, {0, 0.5, 0}, 1);
+  const Result result = solve(Scene(description), nearAndFar(), settings(false, 4));
+  EXPECT_EQ(gatheringReceivers(result), "at 14 of 14 receivers");
+}
+
+TEST(GatherEffort, NothingIsNearWhereAPlaceIsClear)
+{
+  const Scene scene(rooms::furnace(0.5, 100));
+  RandomStream random(7, 0, Purpose::Gather, 0);
+  int clear = 0;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Vec3 p{5 * random.next() - 2.5, 5 * random.next() - 2.5, 5 * random.next() - 2.5};
+    const Vec3 n = Frame({0, 0, i % 2 ? 1.0 : -1.0}).toWorld(cosineHemisphere(random.next(), random.next()));
+    const double radius = 0.1 + random.next();
+    double nearest = 1e9;
+    for (int k = 0; k < 64; ++k)
+    {
+      const Vec3 direction = Frame(n).toWorld(cosineHemisphere(random.next(), random.next()));
+      const SurfacePoint y = scene.trace(p, direction);
+      if (y.valid)
+        nearest = std::min(nearest, length(y.position - p));
+    }
+    const bool said = scene.clear(p, n, radius);
+    EXPECT_FALSE(said && nearest < radius) << i;
+    clear += said;
+  }
+  EXPECT_GT(clear, 500);
+  EXPECT_TRUE(scene.clear({0, 0, 2.5}, {0, 0, -1}, 2.4 - 1.5 + 0.05));
+  EXPECT_FALSE(scene.clear({-2.4, 0, -2.5}, {0, 0, 1}, 0.2));
+}
