@@ -2,9 +2,12 @@
 #include "MeshConversion.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <map>
+#include <new>
 #include <numeric>
+#include <sstream>
 #include <string>
 
 #include "vtkAlgorithm.h"
@@ -12,6 +15,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkIdList.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkNew.h"
@@ -250,11 +254,50 @@ void FillPolyData(const TriangleMesh& mesh, vtkPolyData* input, vtkPolyData* out
   output->GetFieldData()->PassData(input->GetFieldData());
 }
 
-meshing::Progress ProgressOf(vtkAlgorithm* algorithm)
+meshing::Progress ProgressOf(vtkAlgorithm* algorithm, double seconds)
 {
-  return [algorithm](double share) {
+  using Clock = std::chrono::steady_clock;
+  return [algorithm, seconds, start = Clock::now()](double share) {
+    if (seconds > 0.0 && std::chrono::duration<double>(Clock::now() - start).count() > seconds)
+    {
+      std::ostringstream text;
+      text << "not done after the time limit of " << seconds
+           << " s; expected a mesh with fewer defects, a longer edge length or more time";
+      throw std::runtime_error(text.str());
+    }
     algorithm->UpdateProgress(share);
     return !algorithm->GetAbortExecute();
   };
+}
+
+int Guarded(vtkAlgorithm* algorithm, std::initializer_list<vtkDataObject*> outputs, const std::function<void()>& work)
+{
+  std::string message;
+  try
+  {
+    work();
+    return 1;
+  }
+  catch (const meshing::Stopped&)
+  {
+  }
+  catch (const std::bad_alloc&)
+  {
+    message = "not enough memory; expected fewer triangles";
+  }
+  catch (const std::exception& error)
+  {
+    message = error.what();
+  }
+  for (vtkDataObject* output : outputs)
+  {
+    output->Initialize();
+  }
+  if (message.empty())
+  {
+    return 1;
+  }
+  vtkErrorWithObjectMacro(algorithm, << message);
+  return 0;
 }
 }  // namespace kalos

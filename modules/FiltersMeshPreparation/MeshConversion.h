@@ -3,10 +3,14 @@
 #ifndef KalosMeshConversion_h
 #define KalosMeshConversion_h
 
+#include <functional>
+#include <initializer_list>
+
 #include "mesh/TriangleMesh.h"
 #include "vtkType.h"
 
 class vtkAlgorithm;
+class vtkDataObject;
 class vtkPolyData;
 
 namespace kalos
@@ -30,8 +34,12 @@ ConvertedMesh ConvertMesh(vtkPolyData* input);
 /** The mesh as polygons of three corners with the cell arrays of `input`, each triangle those of its origin. */
 void FillPolyData(const meshing::TriangleMesh& mesh, vtkPolyData* input, vtkPolyData* output);
 
-/** Reports to the algorithm; stops when it is to abort. */
-meshing::Progress ProgressOf(vtkAlgorithm* algorithm);
+/** Reports to the algorithm and stops when it is to abort; throws when it has taken `seconds`, unless 0. */
+meshing::Progress ProgressOf(vtkAlgorithm* algorithm, double seconds = 0.0);
+
+/** Does the work; what it throws empties the outputs and becomes an error event, but for an abort. Returns VTK's 1 or
+ * 0. */
+int Guarded(vtkAlgorithm* algorithm, std::initializer_list<vtkDataObject*> outputs, const std::function<void()>& work);
 }  // namespace kalos
 
 #endif

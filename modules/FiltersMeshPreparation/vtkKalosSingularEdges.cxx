@@ -259,8 +259,7 @@ int vtkKalosSingularEdges::RequestData(vtkInformation*, vtkInformationVector** i
   vtkPolyData* curvesOutput = vtkPolyData::GetData(outputs, 0);
   vtkDataObject* receiversOutput = vtkDataObject::GetData(outputs, 1);
   vtkTable* table = vtkTable::GetData(outputs, 2);
-  try
-  {
+  return kalos::Guarded(this, {curvesOutput, receiversOutput, table}, [&] {
     if (!(this->FlatAngle > 0.0 && this->FlatAngle <= 45.0))
     {
       throw std::invalid_argument("FlatAngle is not allowed; expected degrees above 0, at most 45");
@@ -285,20 +284,7 @@ int vtkKalosSingularEdges::RequestData(vtkInformation*, vtkInformationVector** i
     }
     FillCurves(curves, curvesOutput);
     FillReport(input, curves.report, table);
-    return 1;
-  }
-  catch (const std::exception& error)
-  {
-    curvesOutput->Initialize();
-    receiversOutput->Initialize();
-    table->Initialize();
-    if (dynamic_cast<const kalos::meshing::Stopped*>(&error))
-    {
-      return 1;
-    }
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+  });
 }
 
 void vtkKalosSingularEdges::PrintSelf(ostream& os, vtkIndent indent)

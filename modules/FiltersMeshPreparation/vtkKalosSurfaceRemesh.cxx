@@ -9,8 +9,6 @@
 #include "remesh/SurfaceRemesh.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
@@ -65,58 +63,24 @@ void FillReport(const kalos::meshing::RemeshReport& done, double edgeLength, vtk
 
 vtkStandardNewMacro(vtkKalosSurfaceRemesh);
 
-vtkKalosSurfaceRemesh::vtkKalosSurfaceRemesh()
+void vtkKalosSurfaceRemesh::Work(vtkPolyData* input, kalos::ConvertedMesh& converted, vtkPolyData* output,
+                                 vtkTable* table)
 {
-  this->SetNumberOfOutputPorts(2);
-}
-
-vtkTable* vtkKalosSurfaceRemesh::GetReport()
-{
-  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
-}
-
-int vtkKalosSurfaceRemesh::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
-  return 1;
-}
-
-int vtkKalosSurfaceRemesh::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-  vtkTable* table = vtkTable::GetData(outputs, 1);
-  try
+  if (!(this->FeatureAngle > 0.0 && this->FeatureAngle <= 180.0))
   {
-    if (!(this->FeatureAngle > 0.0 && this->FeatureAngle <= 180.0))
-    {
-      throw std::invalid_argument("FeatureAngle is not allowed; expected degrees above 0, at most 180");
-    }
-    kalos::ConvertedMesh converted = kalos::ConvertMesh(input);
-    kalos::meshing::RemeshSettings settings;
-    settings.edgeLength = this->EdgeLength;
-    settings.feature = this->FeatureAngle / DegreesPerRadian;
-    settings.iterations = this->Iterations;
-    settings.smallest = this->SmallestEdgeLength;
-    settings.grading = this->Grading;
-    settings.wanted = WantedLengths(input, this->SizeArrayName);
-    settings.maximumTriangles = static_cast<std::size_t>(std::max<vtkIdType>(0, this->MaximumTriangles));
-    const auto done = kalos::meshing::remesh(converted.Mesh, settings, kalos::ProgressOf(this));
-    kalos::FillPolyData(converted.Mesh, input, output);
-    FillReport(done, this->EdgeLength, table);
-    return 1;
+    throw std::invalid_argument("FeatureAngle is not allowed; expected degrees above 0, at most 180");
   }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    table->Initialize();
-    if (dynamic_cast<const kalos::meshing::Stopped*>(&error))
-    {
-      return 1;
-    }
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+  kalos::meshing::RemeshSettings settings;
+  settings.edgeLength = this->EdgeLength;
+  settings.feature = this->FeatureAngle / DegreesPerRadian;
+  settings.iterations = this->Iterations;
+  settings.smallest = this->SmallestEdgeLength;
+  settings.grading = this->Grading;
+  settings.wanted = WantedLengths(input, this->SizeArrayName);
+  settings.maximumTriangles = static_cast<std::size_t>(std::max<vtkIdType>(0, this->MaximumTriangles));
+  const auto done = kalos::meshing::remesh(converted.Mesh, settings, kalos::ProgressOf(this, this->TimeLimit));
+  kalos::FillPolyData(converted.Mesh, input, output);
+  FillReport(done, this->EdgeLength, table);
 }
 
 void vtkKalosSurfaceRemesh::PrintSelf(ostream& os, vtkIndent indent)

@@ -21,14 +21,16 @@
  *   standard error.
  * - FeatureAngle (1): creases that deviate more from flat stay, degrees, above 0 to 180.
  * - Iterations (5): 1 to 100.
- * - MaximumTriangles (5000000): a length that needs more is refused before the work begins.
+ * - MaximumTriangles (5000000): a length that needs more, or more memory than this machine has, is refused before the
+ * work begins.
+ * - TimeLimit (600): time after which the work is given up, s; 0: none.
  *
- * Where wanted lengths differ they go down in steps of a half. Progress is reported and AbortExecute obeyed after each
- * iteration; then the outputs are empty.
+ * Where wanted lengths differ they go down in steps of a half. Progress is reported and AbortExecute and TimeLimit
+ * obeyed all the time; then the outputs are empty.
  *
  * Errors: no polygons, a bad point, a property out of range, no such array, an edge length that needs more than
- * MaximumTriangles: one error event and empty outputs. A build with this class contains CGAL code and is distributed
- * under GPL-3.0-or-later.
+ * MaximumTriangles or the memory, the time limit: one error event and empty outputs. A build with this class contains
+ * CGAL code and is distributed under GPL-3.0-or-later.
  */
 #ifndef vtkKalosSurfaceRemesh_h
 #define vtkKalosSurfaceRemesh_h
@@ -36,15 +38,13 @@
 #include <string>  // for SizeArrayName
 
 #include "vtkKalosFiltersMeshPreparationModule.h"
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkKalosSurfaceAlgorithm.h"
 
-class vtkTable;
-
-class VTKKALOSFILTERSMESHPREPARATION_EXPORT vtkKalosSurfaceRemesh : public vtkPolyDataAlgorithm
+class VTKKALOSFILTERSMESHPREPARATION_EXPORT vtkKalosSurfaceRemesh : public vtkKalosSurfaceAlgorithm
 {
 public:
   static vtkKalosSurfaceRemesh* New();
-  vtkTypeMacro(vtkKalosSurfaceRemesh, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkKalosSurfaceRemesh, vtkKalosSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -89,15 +89,11 @@ public:
   vtkGetMacro(MaximumTriangles, vtkIdType);
   ///@}
 
-  /** What came out, output port 1. */
-  vtkTable* GetReport();
-
 protected:
-  vtkKalosSurfaceRemesh();
+  vtkKalosSurfaceRemesh() = default;
   ~vtkKalosSurfaceRemesh() override = default;
 
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Work(vtkPolyData* input, kalos::ConvertedMesh& converted, vtkPolyData* output, vtkTable* report) override;
 
   double EdgeLength = 0.1;
   double SmallestEdgeLength = 0.0;

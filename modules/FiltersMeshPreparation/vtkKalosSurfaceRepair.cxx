@@ -10,8 +10,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -92,54 +90,20 @@ void NameUnrepaired(const std::vector<kalos::meshing::Unrepaired>& unrepaired, v
 
 vtkStandardNewMacro(vtkKalosSurfaceRepair);
 
-vtkKalosSurfaceRepair::vtkKalosSurfaceRepair()
+void vtkKalosSurfaceRepair::Work(vtkPolyData* input, kalos::ConvertedMesh& converted, vtkPolyData* output,
+                                 vtkTable* table)
 {
-  this->SetNumberOfOutputPorts(2);
-}
-
-vtkTable* vtkKalosSurfaceRepair::GetReport()
-{
-  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
-}
-
-int vtkKalosSurfaceRepair::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
-  return 1;
-}
-
-int vtkKalosSurfaceRepair::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-  vtkTable* table = vtkTable::GetData(outputs, 1);
-  try
+  if (!(this->Tolerance >= 0.0 && std::isfinite(this->Tolerance)))
   {
-    if (!(this->Tolerance >= 0.0 && std::isfinite(this->Tolerance)))
-    {
-      throw std::invalid_argument("Tolerance is not allowed; expected metres above 0, or 0 for automatic");
-    }
-    kalos::ConvertedMesh converted = kalos::ConvertMesh(input);
-    kalos::meshing::RepairSettings settings;
-    settings.tolerance = this->Tolerance;
-    settings.sided = EmittingCells(input);
-    const auto done = kalos::meshing::repair(converted.Mesh, settings, kalos::ProgressOf(this));
-    kalos::FillPolyData(converted.Mesh, input, output);
-    NameUnrepaired(done.unrepaired, output);
-    FillReport(converted, done, table);
-    return 1;
+    throw std::invalid_argument("Tolerance is not allowed; expected metres above 0, or 0 for automatic");
   }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    table->Initialize();
-    if (dynamic_cast<const kalos::meshing::Stopped*>(&error))
-    {
-      return 1;
-    }
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+  kalos::meshing::RepairSettings settings;
+  settings.tolerance = this->Tolerance;
+  settings.sided = EmittingCells(input);
+  const auto done = kalos::meshing::repair(converted.Mesh, settings, kalos::ProgressOf(this, this->TimeLimit));
+  kalos::FillPolyData(converted.Mesh, input, output);
+  NameUnrepaired(done.unrepaired, output);
+  FillReport(converted, done, table);
 }
 
 void vtkKalosSurfaceRepair::PrintSelf(ostream& os, vtkIndent indent)

@@ -22,26 +22,27 @@
  * triangles of different materials, and surfaces whose emitting triangles face opposite ways. Holes stay; their edges
  * are counted.
  *
- * Property: Tolerance (0), the distance below which points are one, m; 0: 10^-6 of the diagonal of the input.
+ * Properties:
+ * - Tolerance (0): distance below which points are one, m; 0: 10^-6 of the diagonal of the input.
+ * - TimeLimit (600): time after which the work is given up, s; 0: none.
  *
  * Progress is reported and AbortExecute obeyed; then the outputs are empty.
  *
- * Errors: no polygons, all degenerate, a point that is missing, NaN or infinite, a Tolerance below 0: one error event
- * and empty outputs. A build with this class contains CGAL code and is distributed under GPL-3.0-or-later.
+ * Errors: no polygons, all degenerate, a point that is missing, NaN or infinite, a Tolerance below 0, the time limit:
+ * one error event and empty outputs. A build with this class contains CGAL code and is distributed under
+ * GPL-3.0-or-later.
  */
 #ifndef vtkKalosSurfaceRepair_h
 #define vtkKalosSurfaceRepair_h
 
 #include "vtkKalosFiltersMeshPreparationModule.h"
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkKalosSurfaceAlgorithm.h"
 
-class vtkTable;
-
-class VTKKALOSFILTERSMESHPREPARATION_EXPORT vtkKalosSurfaceRepair : public vtkPolyDataAlgorithm
+class VTKKALOSFILTERSMESHPREPARATION_EXPORT vtkKalosSurfaceRepair : public vtkKalosSurfaceAlgorithm
 {
 public:
   static vtkKalosSurfaceRepair* New();
-  vtkTypeMacro(vtkKalosSurfaceRepair, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkKalosSurfaceRepair, vtkKalosSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -50,18 +51,14 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
-  /** What was done, output port 1. */
-  vtkTable* GetReport();
-
   /** Name of the field data array of what could not be repaired. */
   static const char* UnrepairedArrayName() { return "Unrepaired"; }
 
 protected:
-  vtkKalosSurfaceRepair();
+  vtkKalosSurfaceRepair() = default;
   ~vtkKalosSurfaceRepair() override = default;
 
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Work(vtkPolyData* input, kalos::ConvertedMesh& converted, vtkPolyData* output, vtkTable* report) override;
 
   double Tolerance = 0.0;
 

@@ -41,6 +41,7 @@ def parser():
     prepare.add_argument("--out", metavar="OUT.vtp", required=True, help="file for the prepared surface")
     prepare.add_argument("--edge-length", metavar="M", type=EDGE_LENGTH, help="remesh to edges of about this length, m (off)")
     prepare.add_argument("--report", metavar="FILE.json", help="file for what was done (none)")
+    prepare.add_argument("--time", metavar="SECONDS", type=TIME, help="give up repair or remeshing after so long, each (600)")
     prepare.set_defaults(run=run_prepare)
 
     validate = commands.add_parser("validate", help="hold every method against scenes with a closed-form answer")
@@ -104,7 +105,8 @@ def run_study(arguments):
 def run_prepare(arguments):
     from kalos.prepare import prepare
 
-    prepare(arguments.mesh, arguments.out, arguments.edge_length, arguments.report, say=print)
+    prepare(arguments.mesh, arguments.out, arguments.edge_length, arguments.report, say=print,
+            time_limit=arguments.time)
     return 0
 
 

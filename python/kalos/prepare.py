@@ -16,14 +16,19 @@ from kalos.progress import run
 EDGE_CLASSES = {"concave": "CONCAVE", "contact": "CONTACT", "non-manifold": "NON_MANIFOLD"}
 
 
-def prepare(path, out, edge_length=None, report=None, say=None):
-    """Reads a mesh file, writes the prepared surface to `out` (.vtp) and what was done to `report` (JSON)."""
+def prepare(path, out, edge_length=None, report=None, say=None, time_limit=None):
+    """Reads a mesh file, writes the prepared surface to `out` (.vtp) and what was done to `report` (JSON).
+
+    Each of repair and remeshing is given up after `time_limit` seconds, if not those of the filters.
+    """
     if Path(out).suffix.lower() != ".vtp":
         raise KalosError(f"{out}: --out: not a .vtp file, expected a name that ends in .vtp")
     mesh = read_mesh(path)
 
     repair = kalos.vtkKalosSurfaceRepair()
     repair.SetInputData(mesh)
+    if time_limit:
+        repair.SetTimeLimit(time_limit)
     surface = of_file(path, repair, "repair")
     facts = {"input": str(path), "output": str(out), "repair": table(repair.GetReport()), "unrepaired": unrepaired(surface)}
     last = repair
@@ -31,6 +36,7 @@ def prepare(path, out, edge_length=None, report=None, say=None):
         last = kalos.vtkKalosSurfaceRemesh()
         last.SetInputData(surface)
         last.SetEdgeLength(edge_length)
+        last.SetTimeLimit(repair.GetTimeLimit())
         of_file(path, last, "remesh")
         facts["remesh"] = table(last.GetReport())
     edges = kalos.vtkKalosSingularEdges()

@@ -113,7 +113,7 @@ def test_bad_files(name, text, message, command, tmp_path):
 
 
 @pytest.mark.parametrize("options, message", [
-    (["--edge-length", "0"], "--edge-length"), (["--edge-length", "1e-6"], "triangles"), (["--out", "nowhere/out.vtp"], "--out"),
+    (["--edge-length", "0"], "--edge-length"), (["--edge-length", "1e-6"], "triangles"), (["--time", "1e-9"], "time limit"), (["--time", "0"], "--time"), (["--out", "nowhere/out.vtp"], "--out"),
     (["--out", "out.txt"], ".vtp")])
 def test_bad_options(options, message, command, tmp_path):
     write_off(tmp_path / "cube.off")

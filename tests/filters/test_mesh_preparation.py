@@ -232,6 +232,15 @@ def test_bad_properties_are_refused(kind, settings, message):
     assert filter_.GetOutput().GetNumberOfCells() == 0
 
 
+@pytest.mark.parametrize("kind, settings", [(vtkKalosSurfaceRepair, {}), (vtkKalosSurfaceRemesh, {"EdgeLength": 0.02})])
+def test_the_time_limit(kind, settings):
+    filter_ = make(kind, room(), TimeLimit=1e-6, **settings)
+    assert "time limit of 1e-06 s" in update_error(filter_)
+    assert filter_.GetOutput().GetNumberOfCells() == 0 and filter_.GetReport().GetNumberOfRows() == 0
+    assert "TimeLimit" in update_error(make(kind, room(), TimeLimit=-1))
+    assert update_error(make(kind, room(), TimeLimit=0)) is None
+
+
 def test_degenerate_meshes():
     assert "degenerate" in update_error(make(vtkKalosSurfaceRepair, surface(FLAT, [(0, 1, 2)])))
     edges, kinds = curves(surface(FLAT, [(0, 1, 2)]))

@@ -134,6 +134,43 @@ TEST(SurfaceRemesh, RefinesWhereCellsWantIt)
   EXPECT_GT(count(0), 10 * count(1));
 }
 
+TEST(SurfaceRemesh, CanBeStoppedWithinAnIteration)
+{
+  TriangleMesh mesh = furnishedRoom();
+  const TriangleMesh before = mesh;
+  RemeshSettings settings;
+  settings.edgeLength = 0.03;
+  settings.iterations = 1;
+  double last = -1.0;
+  int same = 0;
+  const auto stopAtTheSecondSame = [&](double share) {
+    same = share == last ? same + 1 : 0;
+    last = share;
+    return same < 2;
+  };
+  EXPECT_THROW(remesh(mesh, settings, stopAtTheSecondSame), Stopped);
+  EXPECT_LT(last, 0.1);
+  EXPECT_EQ(mesh.points, before.points);
+  EXPECT_EQ(mesh.triangles, before.triangles);
+}
+
+TEST(SurfaceRemesh, LengthsThatTheMemoryCannotHoldAreRefused)
+{
+  TriangleMesh mesh = furnishedRoom();
+  RemeshSettings settings;
+  settings.edgeLength = 1e-5;
+  settings.maximumTriangles = std::size_t(-1);
+  try
+  {
+    remesh(mesh, settings);
+    FAIL();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("memory"), std::string::npos) << error.what();
+  }
+}
+
 TEST(SurfaceRemesh, BadInput)
 {
   for (double length : {0.0, -1.0, double(NAN), double(INFINITY), 1e-7})

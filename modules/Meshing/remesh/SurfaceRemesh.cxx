@@ -9,6 +9,10 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Surface_mesh.h>
 
+#if __has_include(<unistd.h>)
+#include <unistd.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -38,11 +42,49 @@ Point point(const Kernel::Point_3& p)
   return {p.x(), p.y(), p.z()};
 }
 
+/// Reports now and then what is done, from within CGAL, which may stay in one iteration for ever.
+class Watch
+{
+public:
+  explicit Watch(const Progress& progress) : progress_(progress) {}
+  void setShare(double share) { report(progress_, share_ = share); }
+  void look()
+  {
+    if (++looks_ % 65536 == 0)
+      report(progress_, share_);
+  }
+
+private:
+  const Progress& progress_;
+  double share_ = 0.0;
+  std::size_t looks_ = 0;
+};
+
+/// The marks of kept edges, which CGAL asks for wherever it works.
+struct WatchedMarks
+{
+  using key_type = Edge;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::read_write_property_map_tag;
+
+  SurfaceMesh::Property_map<Edge, bool> marks;
+  Watch* watch;
+
+  friend bool get(const WatchedMarks& map, Edge e)
+  {
+    map.watch->look();
+    return map.marks[e];
+  }
+  friend void put(const WatchedMarks& map, Edge e, bool mark) { map.marks[e] = mark; }
+};
+
 /// The mesh in CGAL's form with what is to be kept.
 class Remesher
 {
 public:
-  Remesher(const TriangleMesh& input, std::vector<std::uint8_t> turned) : input_(input), turned_(std::move(turned))
+  Remesher(const TriangleMesh& input, std::vector<std::uint8_t> turned, Watch& watch)
+      : input_(input), turned_(std::move(turned)), watch_(watch)
   {
     for (const Point& p : input.points)
       mesh_.add_vertex({p[0], p[1], p[2]});
@@ -80,7 +122,7 @@ public:
   {
     pmp::isotropic_remeshing(faces, length, mesh_,
                              CGAL::parameters::number_of_iterations(1)
-                                 .edge_is_constrained_map(keptEdge_)
+                                 .edge_is_constrained_map(WatchedMarks{keptEdge_, &watch_})
                                  .vertex_is_constrained_map(keptVertex_)
                                  .face_patch_map(patch_)
                                  .relax_constraints(false));
@@ -216,6 +258,7 @@ private:
 
   const TriangleMesh& input_;
   std::vector<std::uint8_t> turned_;
+  Watch& watch_;
   SurfaceMesh mesh_;
   SurfaceMesh::Property_map<Edge, bool> keptEdge_;
   SurfaceMesh::Property_map<Vertex, bool> keptVertex_;
@@ -269,6 +312,29 @@ double lengthOf(const Curves& curves)
   return sum;
 }
 
+/// Bytes of memory of this machine; infinite where it cannot be told.
+double physicalMemory()
+{
+#ifdef _SC_PHYS_PAGES
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+#else
+  return std::numeric_limits<double>::infinity();
+#endif
+}
+
+void refuseTooMany(double expected, std::size_t maximum)
+{
+  constexpr double bytesPerTriangle = 500;  // 410 measured
+  const double held = physicalMemory() / bytesPerTriangle;
+  const auto most = static_cast<double>(maximum);
+  if (expected <= std::min(most, held))
+    return;
+  std::ostringstream text;
+  text << std::setprecision(3) << "the edge length needs about " << expected << " triangles; expected one that needs "
+       << (held < most ? "no more than the memory of this machine holds, " : "at most ") << std::min(most, held);
+  throw std::invalid_argument(text.str());
+}
+
 void checkSettings(const TriangleMesh& mesh, const RemeshSettings& settings)
 {
   const auto length = [](double l) { return l > 0.0 && std::isfinite(l); };
@@ -295,18 +361,13 @@ RemeshReport remesh(TriangleMesh& mesh, const RemeshSettings& settings, const Pr
   const bool graded = settings.smallest > 0.0 && settings.smallest < settings.edgeLength;
   const Curves curves = graded ? findSingularEdges(mesh, {}) : Curves();
   const double expected = expectedTriangles(mesh, settings, lengthOf(curves));
-  if (!(expected <= static_cast<double>(settings.maximumTriangles)))
-  {
-    std::ostringstream text;
-    text << "the edge length needs about " << std::setprecision(3) << expected
-         << " triangles; expected one that needs at most " << settings.maximumTriangles;
-    throw std::invalid_argument(text.str());
-  }
-  report(progress, 0.05);
+  refuseTooMany(expected, settings.maximumTriangles);
+  Watch watch(progress);
+  watch.setShare(0.05);
 
   std::vector<std::uint8_t> turned;
   orient(mesh, turned);
-  Remesher remesher(mesh, std::move(turned));
+  Remesher remesher(mesh, std::move(turned), watch);
   result.patches = remesher.findPatches(settings.feature);
 
   // The wanted length anywhere, and the length of the finest level.
@@ -323,10 +384,11 @@ RemeshReport remesh(TriangleMesh& mesh, const RemeshSettings& settings, const Pr
 
   const double steps = settings.iterations * (1.0 + levels);
   double step = 0.0;
+  const auto next = [&] { watch.setShare(0.05 + 0.9 * ++step / steps); };
   for (int i = 0; i < settings.iterations; ++i)
   {
     remesher.iterate(remesher.faces(), settings.edgeLength);
-    report(progress, 0.05 + 0.9 * ++step / steps);
+    next();
   }
   double length = settings.edgeLength;
   for (int level = 0; level < levels; ++level)
@@ -335,7 +397,7 @@ RemeshReport remesh(TriangleMesh& mesh, const RemeshSettings& settings, const Pr
     for (int i = 0; i < settings.iterations; ++i)
     {
       remesher.iterateWhere(wanted, 1.5 * length, length);
-      report(progress, 0.05 + 0.9 * ++step / steps);
+      next();
     }
   }
 

@@ -37,7 +37,8 @@ struct RemeshReport
  * nearest triangle of the same patch, `material` is kept, triangles face as they did. The mesh must have neither
  * degenerate nor duplicate triangles: repair() it first; non-manifold edges are split here.
  *
- * Throws std::invalid_argument for an edge length that is not above 0 or that needs too many triangles, and as check()
+ * Throws std::invalid_argument for an edge length that is not above 0 or that needs too many triangles or more
+ * memory than this machine has, and as check()
  * and report() do.
  */
 RemeshReport remesh(TriangleMesh& mesh, const RemeshSettings& settings, const Progress& progress = {});

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkKalosSurfaceAlgorithm.h"
+
+#include <cmath>
+
+#include "MeshConversion.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+vtkKalosSurfaceAlgorithm::vtkKalosSurfaceAlgorithm()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkTable* vtkKalosSurfaceAlgorithm::GetReport()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkKalosSurfaceAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+int vtkKalosSurfaceAlgorithm::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  vtkTable* report = vtkTable::GetData(outputs, 1);
+  return kalos::Guarded(this, {output, report}, [&] {
+    if (!(this->TimeLimit >= 0.0 && std::isfinite(this->TimeLimit)))
+    {
+      throw std::invalid_argument("TimeLimit is not allowed; expected seconds above 0, or 0 for none");
+    }
+    kalos::ConvertedMesh converted = kalos::ConvertMesh(input);
+    this->Work(input, converted, output, report);
+  });
+}
+
+void vtkKalosSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
+}
