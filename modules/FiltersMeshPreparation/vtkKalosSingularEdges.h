@@ -31,7 +31,9 @@
  * return.
  * - FlatAngle (0.5): deviation from a straight angle that counts as none, degrees, above 0 to 45.
  * - BothSides (off): judge an edge by the narrower of its two sides, not by the side of the normals.
- * - Tolerance (0): distance below which points are one and surfaces touch, m; 0: 10^-6 of the diagonal.
+ * - Tolerance (0): distance below which points are one and surfaces touch, m; 0: 10^-6 of the diagonal. Contacts
+ * shorter than four of it count as points; where edges cross at an angle, the ends of a contact are right to a few
+ * tolerances over its sine.
  *
  * Method: neighbours by OpenMesh half-edges, by a sorted list of edges where half-edges cannot store them; contacts by
  * CGAL's intersection of bounding boxes and a test of each pair of triangles; distances by CGAL's tree of segments.
