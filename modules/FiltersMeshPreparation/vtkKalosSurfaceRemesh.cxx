@@ -2,10 +2,12 @@
 #include "vtkKalosSurfaceRemesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "MeshConversion.h"
 #include "ReportTable.h"
+#include "ResultLengths.h"
 #include "remesh/SurfaceRemesh.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -77,6 +79,18 @@ void vtkKalosSurfaceRemesh::Work(vtkPolyData* input, kalos::ConvertedMesh& conve
   settings.smallest = this->SmallestEdgeLength;
   settings.grading = this->Grading;
   settings.wanted = WantedLengths(input, this->SizeArrayName);
+  if (!this->ResultArrayName.empty())
+  {
+    if (!(this->ResultChange > 0.0 && std::isfinite(this->ResultChange)))
+    {
+      throw std::invalid_argument("ResultChange is not allowed; expected a share of the mean above 0");
+    }
+    const std::vector<double> forResult =
+        kalos::LengthsForResult(input, converted.Mesh, this->ResultArrayName, this->ResultChange, this->EdgeLength);
+    settings.wanted.resize(forResult.size(), this->EdgeLength);
+    std::transform(forResult.begin(), forResult.end(), settings.wanted.begin(), settings.wanted.begin(),
+                   [](double a, double b) { return std::min(a, b); });
+  }
   settings.maximumTriangles = static_cast<std::size_t>(std::max<vtkIdType>(0, this->MaximumTriangles));
   const auto done = kalos::meshing::remesh(converted.Mesh, settings, kalos::ProgressOf(this, this->TimeLimit));
   kalos::FillPolyData(converted.Mesh, input, output);
@@ -90,6 +104,8 @@ void vtkKalosSurfaceRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SmallestEdgeLength: " << this->SmallestEdgeLength << "\n";
   os << indent << "Grading: " << this->Grading << "\n";
   os << indent << "SizeArrayName: " << (this->SizeArrayName.empty() ? "(none)" : this->SizeArrayName) << "\n";
+  os << indent << "ResultArrayName: " << (this->ResultArrayName.empty() ? "(none)" : this->ResultArrayName) << "\n";
+  os << indent << "ResultChange: " << this->ResultChange << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "Iterations: " << this->Iterations << "\n";
   os << indent << "MaximumTriangles: " << this->MaximumTriangles << "\n";

@@ -17,8 +17,12 @@
  * - EdgeLength (0.1): wanted length of edges, m, above 0.
  * - SmallestEdgeLength (0): wanted length at concave edges and contacts, m; 0: no grading.
  * - Grading (0.3): growth of the wanted length with the distance from them, m per m, above 0.
- * - SizeArrayName (empty): cell array of the lengths that cells want, m, such as one calculated from a gradient or a
- *   standard error.
+ * - SizeArrayName (empty): cell array of the lengths that cells want, m.
+ * - ResultArrayName (empty): cell array of a previous result, such as Illuminance; finer where it is steep, or where
+ * its standard error (the array of that name followed by StandardError, if there) is large: L c m / (L |g| + s), with L
+ * the EdgeLength, c the ResultChange, m the mean of the result, g its slope towards a neighbour and s the error; at
+ * most L, at least L/8.
+ * - ResultChange (0.1): change along an edge to aim at, relative to the mean, above 0.
  * - FeatureAngle (1): creases that deviate more from flat stay, degrees, above 0 to 180.
  * - Iterations (5): 1 to 100.
  * - MaximumTriangles (5000000): a length that needs more, or more memory than this machine has, is refused before the
@@ -72,6 +76,18 @@ public:
   ///@}
 
   ///@{
+  /** Cell array of a previous result, to be finer where it is steep or its standard error is large; empty: none. */
+  vtkSetMacro(ResultArrayName, std::string);
+  vtkGetMacro(ResultArrayName, std::string);
+  ///@}
+
+  ///@{
+  /** Change of the result along an edge to aim at, relative to its mean, above 0. */
+  vtkSetMacro(ResultChange, double);
+  vtkGetMacro(ResultChange, double);
+  ///@}
+
+  ///@{
   /** Creases that deviate more from flat stay, degrees, above 0 to 180. */
   vtkSetMacro(FeatureAngle, double);
   vtkGetMacro(FeatureAngle, double);
@@ -99,6 +115,8 @@ protected:
   double SmallestEdgeLength = 0.0;
   double Grading = 0.3;
   std::string SizeArrayName;
+  std::string ResultArrayName;
+  double ResultChange = 0.1;
   double FeatureAngle = 1.0;
   int Iterations = 5;
   vtkIdType MaximumTriangles = 5000000;

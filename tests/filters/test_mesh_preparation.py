@@ -161,6 +161,39 @@ def test_remesh_takes_lengths_from_an_array():
     assert (abs(rho - 0.05) < 1e-9).sum() > 10 * (abs(rho - 0.1) < 1e-9).sum()
 
 
+def steps(size=8, **arrays):
+    """A square of squares with cell arrays made from the centres' x."""
+    points = [(i / size, j / size, 0) for j in range(size + 1) for i in range(size + 1)]
+    polygons = [(k, k + 1, k + size + 2, k + size + 1) for k in (i + j * (size + 1) for j in range(size) for i in range(size))]
+    x = np.array([(i + 0.5) / size for _ in range(size) for i in range(size)])
+    return surface(points, polygons, **{name: value(x) for name, value in arrays.items()})
+
+
+def triangles_by_x(data, edge):
+    """Number of triangles left and right of an edge."""
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    x = points[vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3), 0].mean(axis=1)
+    return (x < edge).sum(), (x > edge).sum()
+
+
+def test_remesh_is_finer_where_a_result_is_steep_or_uncertain():
+    steep = steps(E=lambda x: np.where(x < 0.5, 100 + 400 * x, 300.0))
+    remesh = make(vtkKalosSurfaceRemesh, steep, EdgeLength=0.2, ResultArrayName="E")
+    assert update_error(remesh) is None
+    left, right = triangles_by_x(remesh.GetOutput(), 0.6)
+    assert left > 3 * right
+    even = steps(E=lambda x: np.full_like(x, 200.0), EStandardError=lambda x: np.where(x > 0.5, 100.0, 1.0))
+    remesh = make(vtkKalosSurfaceRemesh, even, EdgeLength=0.2, ResultArrayName="E")
+    assert update_error(remesh) is None
+    left, right = triangles_by_x(remesh.GetOutput(), 0.5)
+    assert right > 3 * left
+    coarse = make(vtkKalosSurfaceRemesh, steep, EdgeLength=0.2, ResultArrayName="E", ResultChange=10.0)
+    assert update_error(coarse) is None
+    assert coarse.GetOutput().GetNumberOfCells() < 150
+    for settings, message in (({"ResultArrayName": "F"}, "no cell array F"), ({"ResultArrayName": "E", "ResultChange": 0}, "ResultChange")):
+        assert message in update_error(make(vtkKalosSurfaceRemesh, steep, **settings))
+
+
 def test_edges_of_a_room_with_a_box():
     edges, kinds = curves(room())
     assert kinds.count(vtkKalosSingularEdges.CONCAVE) == 12
