@@ -5,6 +5,9 @@
 Every receiver set goes from 0.1 mm to 1 m: off an edge of two walls (on the floor, then on the wall), off a corner of
 three (on the floor), and off the contact of the tall box with the floor (on the floor, then on the box). The set `middle`
 is the middle of a wall, for comparison.
+
+angles.json and angles-95.json are furnaces of another shape, angles.obj: an irregular closed mesh whose walls meet at
+5 to 170 degrees, below tilted planes; receivers on a wall, off the edge of each of these angles.
 """
 import json
 from pathlib import Path
@@ -41,6 +44,62 @@ def scene(reflectance):
             "receivers": [{"name": name, "points": f"near-{name}.csv"} for name in places()]}
 
 
+# Corners of the plan, counter-clockwise, m; and the corner where its walls meet at an angle, degrees.
+PLAN = np.array([(0, 0), (3.462, 0), (3.462, 4.851), (2.69, 9.226), (2.132, 7.691), (-3.678, 5.37), (-5.518, 1.083),
+                 (-3.126, 1.367), (-1.21, -2.17), (-1.982, -4.354)])
+EDGES = {90: 1, 170: 2, 30: 3, 135: 5, 60: 6, 5: 9}
+
+
+def heights(x, y):
+    """Of floor and ceiling, m: both tilted, so that they meet no wall at a right angle."""
+    return 0.05 * x, 3 + 0.1 * x - 0.05 * y
+
+
+def angle_places():
+    """Name of a set: rows of point and normal, on the wall that ends in that edge, half-way up."""
+    def place(corner, distance):
+        end, start = PLAN[corner], PLAN[corner - 1]
+        along = (start - end) / np.linalg.norm(start - end)
+        x, y = end + distance * along
+        return np.array([x, y, np.mean(heights(x, y))]), np.array([along[1], -along[0], 0])
+
+    places = {f"angle-{angle}": [place(corner, d) for d in DISTANCES] for angle, corner in sorted(EDGES.items())}
+    places["middle"] = [place(5, np.linalg.norm(PLAN[5] - PLAN[4]) / 2)]
+    return places
+
+
+def ears(plan):
+    """Triangles (indices) of a polygon without holes: cuts off a corner that holds no other corner."""
+    left, triangles = list(range(len(plan))), []
+    while len(left) > 2:
+        for k in range(len(left)):
+            a, b, c = left[k - 1], left[k], left[(k + 1) % len(left)]
+            turns = [np.cross(plan[j] - plan[i], plan - plan[i]) for i, j in ((a, b), (b, c), (c, a))]
+            if turns[0][c] > 0 and not any(min(t[i] for t in turns) >= 0 for i in left if i not in (a, b, c)):
+                triangles.append((a, b, c))
+                del left[k]
+                break
+    return triangles
+
+
+def angle_mesh():
+    """Text of angles.obj; normals point inwards."""
+    n = len(PLAN)
+    lines = ["# Irregular room, walls meeting at 5 to 170 degrees, normals inwards; written by make.py."]
+    lines += [f"v {x:.12g} {y:.12g} {heights(x, y)[level]:.12g}" for level in (0, 1) for x, y in PLAN]
+    faces = [face for a, b, c in ears(PLAN) for face in ((a, b, c), (n + c, n + b, n + a))]
+    for i in range(n):
+        k = (i + 1) % n
+        faces += [(k, i, n + i), (k, n + i, n + k)]
+    return "\n".join(lines + ["f " + " ".join(str(i + 1) for i in face) for face in faces]) + "\n"
+
+
+def angle_scene(reflectance):
+    return {"kalos": 1, "materials": {"glow": {"reflectance": reflectance, "exitance": 100}},
+            "surfaces": [{"name": "room", "file": "angles.obj", "material": "glow"}],
+            "receivers": [{"name": name, "points": f"angles-{name.removeprefix('angle-')}.csv"} for name in angle_places()]}
+
+
 def dump(value):
     """JSON with one line per element of a list, as a reader would write it."""
     parts = []
@@ -55,6 +114,10 @@ if __name__ == "__main__":
     here = Path(__file__).parent
     for name, reflectance in (("near-edge", 0.6), ("near-edge-95", 0.95)):
         (here / f"{name}.json").write_text(dump(scene(reflectance)))
-    for name, rows in places().items():
+        (here / f"{name.replace('near-edge', 'angles')}.json").write_text(dump(angle_scene(reflectance)))
+    (here / "angles.obj").write_text(angle_mesh())
+    sets = {f"near-{name}": rows for name, rows in places().items()}
+    sets |= {f"angles-{name.removeprefix('angle-')}": rows for name, rows in angle_places().items()}
+    for name, rows in sets.items():
         lines = [",".join(f"{x:.12g}" for x in (*point, *normal)) for point, normal in rows]
-        (here / f"near-{name}.csv").write_text("x,y,z,nx,ny,nz\n" + "\n".join(lines) + "\n")
+        (here / f"{name}.csv").write_text("x,y,z,nx,ny,nz\n" + "\n".join(lines) + "\n")

@@ -18,6 +18,11 @@ def test_near_edges(said):
     assert "slowest: " in said[-3] and "mean off by at most " in said[-2] and "intervals hold the truth" in said[-1]
 
 
+def test_angles(said):
+    figures.near_edges(DATA, "angles", 0.6, 1, said.append, seeds=4, trajectories=3200)
+    assert len([line for line in said if line.startswith("  angle-")]) == 30
+
+
 def test_a_wrong_truth_is_missed(said, monkeypatch):
     monkeypatch.setattr(truths, "white_furnace", lambda reflectance, exitance: 1.5 * exitance / (1 - reflectance))
     assert not figures.near_edges(DATA, "near-edge", 0.6, 1, said.append, seeds=4, trajectories=3200)
@@ -30,7 +35,7 @@ def test_closed_forms(said):
 
 
 def test_cube(said):
-    assert figures.cube(DATA, 1, said.append, trajectories=3200)
+    assert figures.cube(DATA, 1, said.append, trajectories=640)
     assert len(said) == 11
 
 
@@ -41,5 +46,6 @@ def test_sobolev(said):
 
 
 def test_within():
-    assert figures.within(0.002, 0.001, 1e-3) and not figures.within(0.002, 0.0001, 1e-3)
-    assert not figures.within(-0.002, 0.0001, 1e-3)
+    assert figures.within(0.002, 0.001, 1e-3, 100) and not figures.within(0.002, 0.0001, 1e-3, 100)
+    assert not figures.within(-0.002, 0.0001, 1e-3, 100)
+    assert figures.within(0.002, 0.0002, 1e-3, 3)  # few values: their spread is hardly known

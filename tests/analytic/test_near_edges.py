@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""White furnace, 0.1 mm to 1 m from edges, from three-plane corners and from the contact of a box with the floor.
+"""White furnace, 0.1 mm to 1 m from edges, from three-plane corners and from the contact of a box with the floor;
+and from edges of 5 to 170 degrees of an irregular closed mesh.
 
 A sound method fails a test with probability 1e-4 (kalos.validate.FALSE_ALARM), however many receivers there are.
 """
@@ -13,7 +14,10 @@ from kalos import truths
 from kalos.estimator import Options
 from kalos.validate import DATA, FALSE_ALARM, judge, solve_receivers
 
-FURNACES = {"near-edge": 0.6, "near-edge-95": 0.95}
+FURNACES = {"near-edge": 0.6, "near-edge-95": 0.95, "angles": 0.6}
+# 0.1 mm off the edge of 5 degrees the walls are 9 micrometres apart: no more than rays in single precision need to keep
+# off their own surface.
+TOO_NARROW = ("angle-5", 0)
 SEED = 21
 
 
@@ -25,12 +29,18 @@ def distances():
     return make.DISTANCES
 
 
+def solved(scene, trajectories, seed):
+    """Values and standard errors, a pair for each receiver set."""
+    sets = solve_receivers(DATA / "furnace" / f"{scene}.json", Options(trajectories=trajectories, seed=seed))
+    return [tuple(np.delete(values, TOO_NARROW[1]) if one.name == TOO_NARROW[0] else values
+                  for values in (one.illuminance, one.standard_error)) for one in sets]
+
+
 @pytest.mark.parametrize("scene", FURNACES)
 def test_compensated_is_exact_at_every_distance(scene):
     truth = truths.white_furnace(FURNACES[scene], 100)
-    sets = solve_receivers(DATA / "furnace" / f"{scene}.json", Options(trajectories=320000, seed=SEED))
-    estimate = np.concatenate([one.illuminance for one in sets])
-    verdict = judge(estimate, np.concatenate([one.standard_error for one in sets]), np.full(len(estimate), truth), 0.03)
+    estimate, error = (np.concatenate(values) for values in zip(*solved(scene, 128000, SEED)))
+    verdict = judge(estimate, error, np.full(len(estimate), truth), 0.03)
     print(f"seed {SEED}: {verdict}")
     assert verdict.worst <= verdict.allowed
     assert verdict.error <= verdict.precision, "too noisy to tell anything"
@@ -38,11 +48,10 @@ def test_compensated_is_exact_at_every_distance(scene):
 
 @pytest.mark.parametrize("scene", FURNACES)
 def test_compensated_is_right_on_average(scene):
-    """Each set's mean over 24 seeds: one number a seed, so that receivers of one solve may depend on each other."""
+    """Each set's mean over 12 seeds: one number a seed, so that receivers of one solve may depend on each other."""
     truth = truths.white_furnace(FURNACES[scene], 100)
-    seeds = range(SEED, SEED + 24)
-    means = np.array([[one.illuminance.mean() for one in solve_receivers(
-        DATA / "furnace" / f"{scene}.json", Options(trajectories=32000, seed=seed))] for seed in seeds])
+    seeds = range(SEED, SEED + 12)
+    means = np.array([[values.mean() for values, _ in solved(scene, 32000, seed)] for seed in seeds])
     error = means.std(axis=0, ddof=1) / np.sqrt(len(seeds))
     deviation = np.abs(means.mean(axis=0) - truth) / error
     print(f"seeds {seeds.start} to {seeds.stop - 1}: {deviation} standard errors of {error / truth}")
