@@ -13,7 +13,12 @@ DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows) : Li
       continue;
     const Vec3 u = 0.5 * l.sideU, v = 0.5 * l.sideV, c = l.position;
     const double area = length(cross(l.sideU, l.sideV));
-    this->Areas.push_back({{c - u - v, c + u - v, c + u + v, c - u + v}, 4, l.axis, uniformBands(l.flux / area)});
+    this->Areas.push_back({{c - u - v, c + u - v, c + u + v, c - u + v},
+                           4,
+                           l.axis,
+                           uniformBands(l.flux / area),
+                           l.isOpening() ? &l : nullptr});
+    this->HasOpenings = this->HasOpenings || l.isOpening();
   }
   if (!withMeshes)
     return;
@@ -22,12 +27,14 @@ DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows) : Li
     const Bands& exitance = scene.material(t).exitance;
     if (photometric(exitance, scene.bands()) > 0)
       this->Areas.push_back(
-          {{scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2), {}}, 3, scene.normal(t), exitance});
+          {{scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2), {}}, 3, scene.normal(t), exitance, nullptr});
   }
 }
 
 double DirectLight::pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const
 {
+  if (!luminaire.isPoint() && !(luminaire.isOpening() && !isNear(luminaire, sensor.position)))
+    return 0;
   const Vec3 toLamp = luminaire.position - sensor.position;
   const double d2 = dot(toLamp, toLamp), cosine = dot(toLamp, sensor.normal);  // times d
   if (!(cosine > 0))
@@ -38,8 +45,12 @@ double DirectLight::pointIlluminance(const Luminaire& luminaire, const Sensor& s
 
 double DirectLight::areaIlluminance(const Area& area, const Sensor& sensor) const
 {
+  if (area.opening && !isNear(*area.opening, sensor.position))
+    return 0;
   // A sensor in the emitter's plane, to rounding, sees nothing of it.
-  if (!(dot(sensor.position - area.corner[0], area.normal) > 1e-9 * this->Lit.size()))
+  const double height = dot(sensor.position - area.corner[0], area.normal);
+  const bool bothSides = area.opening && !area.opening->isOneSided();
+  if (!((bothSides ? std::abs(height) : height) > 1e-9 * this->Lit.size()))
     return 0;
   return polygonFormFactor(sensor.position, sensor.normal, area.corner, area.count);
 }
@@ -51,7 +62,7 @@ void DirectLight::look(const Sensor& sensor, View& view) const
   double pointSum = 0;
   for (const Luminaire& luminaire : this->Lit.data().luminaires)
   {
-    const double e = luminaire.isPoint() ? this->pointIlluminance(luminaire, sensor) : 0;
+    const double e = this->pointIlluminance(luminaire, sensor);
     if (e > 0 && !(this->Shadows && this->Lit.rays().occluded(sensor.rayOrigin, this->Lit.shadowTarget(luminaire))))
       pointSum += e;
   }
@@ -60,7 +71,7 @@ void DirectLight::look(const Sensor& sensor, View& view) const
   for (const Area& area : this->Areas)
   {
     const double factor = this->areaIlluminance(area, sensor);
-    for (int b = 0; b < this->Lit.bands(); ++b)
+    for (int b = 0; b < this->Lit.bands() && !area.opening; ++b)
       view.areas[b] += factor * area.exitance[b];
     sum += factor * photometric(area.exitance, this->Lit.bands());
     view.cumulative.push_back(sum);
@@ -86,10 +97,11 @@ bool DirectLight::sampleArea(const Area& area, const Sensor& sensor, double u1, 
     return false;
   sample.direction = part.sample(u2, u3);
   const double cosine = dot(sample.direction, sensor.normal), facing = -dot(sample.direction, area.normal);
-  if (!(cosine > 0) || !(facing > 0))
+  const bool behind = area.opening && !area.opening->isOneSided() && facing < 0;
+  if (!(cosine > 0) || !(facing > 0 || behind))
     return false;
   const double distance = dot(area.corner[0] - r, area.normal) / -facing;
-  sample.target = this->Lit.offset(r + distance * sample.direction, area.normal);
+  sample.target = this->Lit.offset(r + distance * sample.direction, behind ? -area.normal : area.normal);
   sample.cosineOverDensity = cosine * solidAngle;
   return true;
 }
@@ -107,20 +119,31 @@ std::size_t draw(const std::vector<double>& cumulative, double u, double& share)
 }
 }  // namespace
 
-bool DirectLight::sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const
+Bands DirectLight::exitanceTowards(const Area& area, const Vec3& fromSensor) const
+{
+  if (!area.opening)
+    return area.exitance;
+  const double projected =
+      length(cross(area.opening->sideU, area.opening->sideV)) * std::abs(dot(fromSensor, area.normal));
+  return uniformBands(pi * intensity(*area.opening, -fromSensor) / projected);
+}
+
+double DirectLight::sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const
 {
   w = {};
   const double u0 = random.next(), u1 = random.next(), u2 = random.next(), u3 = random.next();
   if (view.cumulative.empty() || !(view.cumulative.back() > 0))
-    return false;
+    return 0;
   double share;
   const Area& area = this->Areas[draw(view.cumulative, u0, share)];
   AreaSample sample;
   if (!(share > 0) || !this->sampleArea(area, sensor, u1, u2, u3, sample))
-    return false;
+    return 0;
+  const Bands exitance = this->exitanceTowards(area, sample.direction);
   for (int b = 0; b < this->Lit.bands(); ++b)
-    w[b] = area.exitance[b] / pi * sample.cosineOverDensity / share;
-  return !this->Shadows || !this->Lit.rays().occluded(sensor.rayOrigin, sample.target);
+    w[b] = exitance[b] / pi * sample.cosineOverDensity / share;
+  const bool visible = !this->Shadows || !this->Lit.rays().occluded(sensor.rayOrigin, sample.target);
+  return visible - (area.opening ? 0 : view.visibleShare);
 }
 
 Bands DirectLight::sample(const Sensor& sensor, SampleStream& random, View& scratch) const
@@ -131,7 +154,7 @@ Bands DirectLight::sample(const Sensor& sensor, SampleStream& random, View& scra
   cumulative.clear();
   double sum = 0;
   for (const Luminaire& luminaire : luminaires)
-    cumulative.push_back(sum += luminaire.isPoint() ? this->pointIlluminance(luminaire, sensor) : 0);
+    cumulative.push_back(sum += this->pointIlluminance(luminaire, sensor));
   for (const Area& area : this->Areas)
     cumulative.push_back(sum += this->areaIlluminance(area, sensor) * photometric(area.exitance, this->Lit.bands()));
   Bands result{};
@@ -153,8 +176,9 @@ Bands DirectLight::sample(const Sensor& sensor, SampleStream& random, View& scra
     const Area& area = this->Areas[k - luminaires.size()];
     if (!this->sampleArea(area, sensor, u1, u2, u3, sample))
       return result;
+    const Bands exitance = this->exitanceTowards(area, sample.direction);
     for (int b = 0; b < this->Lit.bands(); ++b)
-      arriving[b] = area.exitance[b] / pi * sample.cosineOverDensity / share;
+      arriving[b] = exitance[b] / pi * sample.cosineOverDensity / share;
   }
   if (this->Shadows && this->Lit.rays().occluded(sensor.rayOrigin, sample.target))
     return result;
@@ -170,7 +194,8 @@ void DirectLight::addSeen(const Vec3& origin, const Vec3& direction, const Surfa
   for (const Area& area : this->Areas)
   {
     const double facing = -dot(direction, area.normal);
-    if (area.count != 4 || !(facing > 0))
+    const bool behind = area.opening && !area.opening->isOneSided() && facing < 0;
+    if (area.count != 4 || !(facing > 0 || behind))
       continue;
     const double distance = dot(origin - area.corner[0], area.normal) / facing;
     if (!(distance > 0 && distance < end))
@@ -179,9 +204,11 @@ void DirectLight::addSeen(const Vec3& origin, const Vec3& direction, const Surfa
     const Vec3 u = area.corner[1] - area.corner[0], v = area.corner[3] - area.corner[0];
     const Vec3 n = cross(u, v);
     const double s = dot(cross(p, v), n) / dot(n, n), t = dot(cross(u, p), n) / dot(n, n);
-    if (s >= 0 && s <= 1 && t >= 0 && t <= 1)
-      for (int b = 0; b < this->Lit.bands(); ++b)
-        sum[b] += throughput[b] * area.exitance[b];
+    if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1))
+      continue;
+    const Bands exitance = this->exitanceTowards(area, direction);
+    for (int b = 0; b < this->Lit.bands(); ++b)
+      sum[b] += throughput[b] * exitance[b];
   }
 }
 }  // namespace kalos

@@ -10,7 +10,9 @@
 
 namespace kalos
 {
-/// Point luminaires: E = I(omega) cos(theta) V / d^2, deterministic.
+/// Point luminaires: E = I(omega) cos(theta) V / d^2, deterministic. So are luminous openings of measured luminaires
+/// for sensors that are not near (see isNear); near by they are areas of luminance I(omega) / (A cos(theta')), with A
+/// the opening's area, and wholly sampled.
 ///
 /// Rectangles and emitting triangles: E = beta U + mean of w (V - beta). U = sum of M_k F_k is the closed form of
 /// Lambert's polygon, unshadowed; a sample draws an emitter in proportion to its luminous M_k F_k and a direction
@@ -30,12 +32,12 @@ public:
     Bands points{};                  ///< lx, of the point luminaires, shadows included
     Bands areas{};                   ///< U, lx, unshadowed
     double visibleShare = 1;         ///< beta; to be set by the caller where surfaces may occlude
-    std::vector<double> cumulative;  ///< luminous unshadowed lx up to and including area emitter i
+    std::vector<double> cumulative;  ///< what area emitters are drawn in proportion to, up to and including emitter i
   };
   void look(const Sensor& sensor, View& view) const;
 
-  /// One sample of View::areas: w (lx per band), returns its visibility.
-  bool sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const;
+  /// One sample of the area emitters: w (lx per band). Returns V - beta, or V for an opening, which U does not hold.
+  double sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const;
 
   /// One sample of all direct light at the sensor, weighted by its response, with a single shadow ray: an emitter is
   /// drawn in proportion to what it would send to a Lambertian sensor, were nothing in between. Unbiased; for the
@@ -47,18 +49,20 @@ public:
   void addSeen(const Vec3& origin, const Vec3& direction, const SurfacePoint& y, const Bands& throughput,
                Bands& sum) const;
 
-  bool hasAreas() const { return !this->Areas.empty(); }
+  /// Whether samples add to what look() finds: something may hide area emitters, or openings are near.
+  bool fluctuates() const { return this->HasOpenings || (this->Shadows && !this->Areas.empty()); }
 
 private:
   struct Area
   {
     Vec3 corner[4];
-    int count;       // corners, 3 or 4
-    Vec3 normal;     // light leaves on this side
-    Bands exitance;  // lm/m2
+    int count;                           // corners, 3 or 4
+    Vec3 normal;                         // light leaves on this side
+    Bands exitance;                      // lm/m2
+    const Luminaire* opening = nullptr;  // of a measured distribution; null: Lambertian
   };
 
-  double pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const;  // unshadowed, lx
+  double pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const;  // unshadowed, lx; 0 for areas
   double areaIlluminance(const Area& area, const Sensor& sensor) const;             // unshadowed form factor
 
   /// A point of an area emitter, seen from the sensor in a direction uniform in solid angle; false when none is.
@@ -67,10 +71,12 @@ private:
     Vec3 direction, target;
     double cosineOverDensity;  // cos(theta) at the sensor times the solid angle, sr
   };
+  Bands exitanceTowards(const Area& area, const Vec3& fromSensor) const;  // pi times the luminance, lm/m2
   bool sampleArea(const Area& area, const Sensor& sensor, double u1, double u2, double u3, AreaSample& sample) const;
 
   const Scene& Lit;
   bool Shadows;
+  bool HasOpenings = false;
   std::vector<Area> Areas;
 };
 }  // namespace kalos

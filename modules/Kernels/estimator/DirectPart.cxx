@@ -68,25 +68,26 @@ bool DirectPart::prepare(Workers& workers, Tally& tally)
 
 void DirectPart::measureVisibility(std::size_t r)
 {
-  if (!this->Direct.hasAreas() || !this->shadows())
+  if (!this->Direct.fluctuates())
     return;
   constexpr int pilot = 16, pilotReplicate = 1 << 20;  // no estimate uses it
   const Walks walks = this->Drawn.ofReceiver(r);
   DirectLight::View& view = this->Views[r];
-  int visible = 0;
+  view.visibleShare = 0;
+  double visible = 0;
   Bands w;
   for (int s = 0; s < pilot; ++s)
   {
     SampleStream random = walks.stream(pilotReplicate, Purpose::DirectLight, s);
     visible += this->Direct.sampleAreas(this->Sensors[r], view, random, w);
   }
-  view.visibleShare = static_cast<double>(visible) / pilot;
+  view.visibleShare = visible / pilot;
 }
 
 void DirectPart::score(std::size_t r, int replicate, long long first, int count, Tally& tally) const
 {
   const Sensor& sensor = this->Sensors[r];
-  if (!sensor.brdf && (!this->Direct.hasAreas() || !this->shadows()))
+  if (!sensor.brdf && !this->Direct.fluctuates())
     return;
   const int samples = (count + trajectoriesPerShadow - 1) / trajectoriesPerShadow;
   const Walks walks = this->Drawn.ofReceiver(r);
@@ -109,7 +110,7 @@ void DirectPart::score(std::size_t r, int replicate, long long first, int count,
     {
       SampleStream random = walks.stream(replicate, Purpose::DirectLight, first + s);
       Bands w;
-      const double excess = this->Direct.sampleAreas(sensor, view, random, w) - view.visibleShare;
+      const double excess = this->Direct.sampleAreas(sensor, view, random, w);
       for (int b = 0; b < tally.bands(); ++b)
         sum[b] += w[b] * excess;
     }
@@ -128,6 +129,33 @@ bool DirectPart::scoreAll(long long first, int count, Workers& workers, Tally& t
     for (int replicate = 0; replicate < tally.replicates(); ++replicate)
       this->score(r, replicate, first, count, tally);
   });
+}
+
+AuditLine DirectPart::auditOpenings() const
+{
+  std::size_t openings = 0, areas = 0;
+  std::vector<char> near(this->Sensors.size(), 0);
+  for (const Luminaire& l : this->Lit.data().luminaires)
+  {
+    if (!l.isOpening())
+      continue;
+    bool area = false;
+    for (std::size_t r = 0; r < this->Sensors.size(); ++r)
+      if (isNear(l, this->Sensors[r].position))
+      {
+        area = true;
+        near[r] = 1;
+      }
+    ++openings;
+    areas += area;
+  }
+  const auto receivers = std::count(near.begin(), near.end(), 1);
+  const std::string far = areas == openings ? "" : std::to_string(openings - areas) + " as points, exact";
+  const std::string close = areas == 0 ? ""
+                                       : std::to_string(areas) + " as areas to " + std::to_string(receivers) + " of " +
+                                             std::to_string(this->Sensors.size()) + " receivers, else points";
+  return {"luminous openings", far + (far.empty() || close.empty() ? "" : "; ") + close,
+          "a receiver closer than 5 times its larger side sees the extent of an opening"};
 }
 
 std::vector<AuditLine> DirectPart::audit() const
@@ -162,8 +190,12 @@ std::vector<AuditLine> DirectPart::audit() const
       std::count_if(luminaires.begin(), luminaires.end(), [](const Luminaire& l) { return l.isPoint(); });
   if (points)
     lines.push_back({"point luminaires", std::to_string(points) + ", exact", "their direct light has a closed form"});
-  if (static_cast<std::size_t>(points) < luminaires.size())
-    lines.push_back({"luminous rectangles", std::to_string(luminaires.size() - points) + ", polygon formula",
+  const auto openings =
+      std::count_if(luminaires.begin(), luminaires.end(), [](const Luminaire& l) { return l.isOpening(); });
+  if (openings)
+    lines.push_back(this->auditOpenings());
+  if (static_cast<std::size_t>(points + openings) < luminaires.size())
+    lines.push_back({"luminous rectangles", std::to_string(luminaires.size() - points - openings) + ", polygon formula",
                      "only what hides it is sampled"});
   if (this->Mirrored.any())
     lines.push_back({"point luminaires in mirrors", "one mirror, exact",

@@ -40,6 +40,7 @@ public:
 
 private:
   void measureVisibility(std::size_t receiver);
+  AuditLine auditOpenings() const;
 
   const Scene& Lit;
   Walks Drawn;

@@ -50,7 +50,7 @@ EmissionSample Emission::fromLuminaire(const Luminaire& luminaire, double u, Sam
   const double u2 = random.next();
   start.direction = sampleDirection(luminaire, u1, u2);
   // A lamp mounted flush with a ceiling shines into the room.
-  if (luminaire.distribution == Distribution::Lambertian)
+  if (luminaire.isOneSided())
     start.position = this->Lit.offset(start.position, luminaire.axis);
   return start;
 }

@@ -5,17 +5,40 @@
 
 namespace kalos
 {
-double intensity(const Luminaire& luminaire, const Vec3& direction)
+bool isNear(const Luminaire& opening, const Vec3& p)
 {
-  if (luminaire.distribution == Distribution::Isotropic)
-    return luminaire.flux / (4 * pi);
-  return luminaire.flux / pi * std::max(0.0, dot(luminaire.axis, direction));
+  const Vec3 d = p - opening.position;
+  const double u2 = dot(opening.sideU, opening.sideU), v2 = dot(opening.sideV, opening.sideV);
+  return dot(d, d) < nearOpening * nearOpening * std::max(u2, v2);
 }
 
-Vec3 sampleDirection(const Luminaire& luminaire, double u1, double u2)
+double intensity(const Luminaire& l, const Vec3& direction)
 {
-  if (luminaire.distribution == Distribution::Isotropic)
-    return uniformSphere(u1, u2);
-  return Frame(luminaire.axis).toWorld(cosineHemisphere(u1, u2));
+  switch (l.distribution)
+  {
+    case Distribution::Isotropic:
+      return l.flux / (4 * pi);
+    case Distribution::Lambertian:
+      return l.flux / pi * std::max(0.0, dot(l.axis, direction));
+    case Distribution::Measured:
+      break;
+  }
+  const Vec3 local{dot(direction, cross(l.axis, l.up)), dot(direction, l.up), dot(direction, l.axis)};
+  return l.flux / l.table->flux() * l.table->intensity(local);
+}
+
+Vec3 sampleDirection(const Luminaire& l, double u1, double u2)
+{
+  switch (l.distribution)
+  {
+    case Distribution::Isotropic:
+      return uniformSphere(u1, u2);
+    case Distribution::Lambertian:
+      return Frame(l.axis).toWorld(cosineHemisphere(u1, u2));
+    case Distribution::Measured:
+      break;
+  }
+  const Vec3 local = l.table->sample(u1, u2);
+  return local.x * cross(l.axis, l.up) + local.y * l.up + local.z * l.axis;
 }
 }  // namespace kalos

@@ -40,6 +40,10 @@ void check(const SceneDescription& d)
       require(corner < d.points.size(), "triangle " + std::to_string(i) + ": names a point that does not exist");
     require(d.triangleMaterial[i] < d.materials.size(), "triangle " + std::to_string(i) + ": has no material");
   }
+  for (std::size_t i = 0; i < d.luminaires.size(); ++i)
+    require(d.luminaires[i].distribution != Distribution::Measured ||
+                (d.luminaires[i].table && d.luminaires[i].table->flux() > 0),
+            "luminaire " + std::to_string(i) + ": a measured distribution needs a table with some flux");
   for (std::size_t i = 0; i < d.materials.size(); ++i)
     checkMaterial(d.materials[i], d.bands, "material " + std::to_string(i) + ": ");
 }

@@ -68,8 +68,7 @@ public:
   /// Where shadow rays to a point luminaire end: a lamp mounted flush with a ceiling shines into the room.
   Vec3 shadowTarget(const Luminaire& luminaire) const
   {
-    const bool flush = luminaire.distribution == Distribution::Lambertian;
-    return flush ? this->offset(luminaire.position, luminaire.axis) : luminaire.position;
+    return luminaire.isOneSided() ? this->offset(luminaire.position, luminaire.axis) : luminaire.position;
   }
 
   /// A sensor at p with unit normal n that lies exactly on an edge, in a corner or at the foot of an object belongs to
