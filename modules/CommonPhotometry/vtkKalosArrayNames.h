@@ -29,6 +29,16 @@ constexpr const char* Distribution =
 constexpr const char* SideU = "SideU";  ///< full side of a luminous rectangle, m, 3 components; zero for a point
 constexpr const char* SideV = "SideV";  ///< the other side, m
 constexpr const char* LuminaireNames = "LuminaireNames";  ///< point data, strings
+/// Field data, one array per candela table, its index appended: tuples (plane deg, angle from the pole deg, cd) sorted
+/// by plane, then angle. Distribution 2 + k is the table "CandelaTable" + k.
+constexpr const char* CandelaTable = "CandelaTable";
+/// Field data, one value per candela table: 0 the planes share the photometric axis, 1 the axis of C = 90 deg (type B).
+constexpr const char* CandelaPoles = "CandelaPoles";
+/// Field data, strings, 3 components: code, file, message of every warning about a photometric file.
+constexpr const char* PhotometryWarnings = "PhotometryWarnings";
+
+// Photometric solids and polar curves, point data.
+constexpr const char* Intensity = "Intensity";  ///< cd
 
 // Results on receivers.
 constexpr const char* Illuminance = "Illuminance";                            ///< lx

@@ -5,6 +5,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkKalosArrayNames.h"
@@ -23,8 +24,8 @@ bool AllFinite(const double v[3])
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
-/** The half-plane C = 90 deg of an axis: see the class documentation. */
-void UpOfAxis(const double axis[3], double rotationDegrees, double up[3])
+/** The half-planes C = 0 and C = 90 deg of an axis: see the class documentation. */
+void PlanesOfAxis(const double axis[3], double rotationDegrees, double along[3], double up[3])
 {
   const double y[3] = {0.0, 1.0, 0.0};
   const double z[3] = {0.0, 0.0, 1.0};
@@ -39,7 +40,14 @@ void UpOfAxis(const double axis[3], double rotationDegrees, double up[3])
   for (int c = 0; c < 3; ++c)
   {
     up[c] = std::cos(angle) * ninety[c] - std::sin(angle) * zero[c];
+    along[c] = std::cos(angle) * zero[c] + std::sin(angle) * ninety[c];
   }
+}
+
+void SetFieldArray(vtkPolyData* data, vtkDataArray* array, const char* name)
+{
+  array->SetName(name);
+  data->GetFieldData()->AddArray(array);
 }
 
 void AddVector(vtkPointData* data, const char* name, const double v[3])
@@ -57,6 +65,14 @@ vtkStandardNewMacro(vtkKalosLuminaireSource);
 vtkKalosLuminaireSource::vtkKalosLuminaireSource()
 {
   this->SetNumberOfInputPorts(0);
+}
+
+void vtkKalosLuminaireSource::SetCandelaTable(vtkDoubleArray* tuples, bool sidePole)
+{
+  this->CandelaTable = tuples;
+  this->SidePole = sidePole;
+  this->Distribution = MEASURED;
+  this->Modified();
 }
 
 std::string vtkKalosLuminaireSource::Check() const
@@ -79,6 +95,15 @@ std::string vtkKalosLuminaireSource::Check() const
   }
   if (this->Shape == POINT)
   {
+    if (this->Distribution == MEASURED && (!this->CandelaTable || this->CandelaTable->GetNumberOfComponents() != 3))
+    {
+      return "the candela table is missing; expected tuples of plane, angle and candela";
+    }
+    const double sides[2] = {this->OpeningAlongC0, this->OpeningAlongC90};
+    if (!(sides[0] >= 0.0 && sides[1] >= 0.0 && std::isfinite(sides[0] + sides[1])))
+    {
+      return "a side of the luminous opening is negative or not finite; expected at least 0 m";
+    }
     return {};
   }
   double normal[3];
@@ -113,8 +138,18 @@ int vtkKalosLuminaireSource::RequestData(vtkInformation*, vtkInformationVector**
   const double none[3] = {0.0, 0.0, 0.0};
   double direction[3] = {this->Aim[0], this->Aim[1], this->Aim[2]};
   vtkMath::Normalize(direction);
+  double along[3];
   double up[3];
-  UpOfAxis(direction, this->RotationDegrees, up);
+  PlanesOfAxis(direction, this->RotationDegrees, along, up);
+  const bool measured = !rectangle && this->Distribution == MEASURED;
+  const bool opening = measured && this->OpeningAlongC0 > 0.0 && this->OpeningAlongC90 > 0.0;
+  double openingU[3];
+  double openingV[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    openingU[c] = this->OpeningAlongC0 * along[c];
+    openingV[c] = this->OpeningAlongC90 * up[c];
+  }
 
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -136,12 +171,21 @@ int vtkKalosLuminaireSource::RequestData(vtkInformation*, vtkInformationVector**
   distribution->SetName(vtkKalosArrayNames::Distribution);
   distribution->InsertNextValue(rectangle ? LAMBERTIAN : this->Distribution);
   data->AddArray(distribution);
-  AddVector(data, vtkKalosArrayNames::SideU, rectangle ? this->SideU : none);
-  AddVector(data, vtkKalosArrayNames::SideV, rectangle ? this->SideV : none);
+  AddVector(data, vtkKalosArrayNames::SideU, rectangle ? this->SideU : opening ? openingU : none);
+  AddVector(data, vtkKalosArrayNames::SideV, rectangle ? this->SideV : opening ? openingV : none);
   vtkNew<vtkStringArray> names;
   names->SetName(vtkKalosArrayNames::LuminaireNames);
   names->InsertNextValue(this->Name);
   data->AddArray(names);
+  if (measured)
+  {
+    vtkNew<vtkDoubleArray> table;
+    table->ShallowCopy(this->CandelaTable);
+    SetFieldArray(output, table, (std::string(vtkKalosArrayNames::CandelaTable) + "0").c_str());
+    vtkNew<vtkIntArray> poles;
+    poles->InsertNextValue(this->SidePole ? 1 : 0);
+    SetFieldArray(output, poles, vtkKalosArrayNames::CandelaPoles);
+  }
   return 1;
 }
 
@@ -154,7 +198,10 @@ void vtkKalosLuminaireSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Aim: " << this->Aim[0] << " " << this->Aim[1] << " " << this->Aim[2] << "\n";
   os << indent << "RotationDegrees: " << this->RotationDegrees << "\n";
   os << indent << "Flux: " << this->Flux << " lm\n";
-  os << indent << "Distribution: " << (this->Distribution == ISOTROPIC ? "isotropic" : "Lambertian") << "\n";
+  const char* const names[] = {"isotropic", "Lambertian", "measured"};
+  os << indent << "Distribution: " << names[this->Distribution] << "\n";
   os << indent << "SideU: " << this->SideU[0] << " " << this->SideU[1] << " " << this->SideU[2] << " m\n";
   os << indent << "SideV: " << this->SideV[0] << " " << this->SideV[1] << " " << this->SideV[2] << " m\n";
+  os << indent << "OpeningAlongC0: " << this->OpeningAlongC0 << " m\n";
+  os << indent << "OpeningAlongC90: " << this->OpeningAlongC90 << " m\n";
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkKalosLuminaireSource
- * @brief   one luminaire: a point or a luminous rectangle
+ * @brief   one luminaire: a point, a luminous rectangle, or one with a measured distribution
  *
  * Output: vtkPolyData with one vertex and the point arrays of vtkKalosArrayNames.h: LuminousFlux, Direction, Up,
  * Distribution, SideU, SideV and LuminaireNames. Several luminaires are appended with vtkAppendPolyData. A luminaire
@@ -14,12 +14,18 @@
  * | Aim             |      | (0, 0, -1)   | finite, not zero (any length); along +-(SideU x SideV) of a rectangle |
  * | RotationDegrees | deg  | 0            | finite                                                               |
  * | Flux            | lm   | 1000         | finite, at least 0                                                   |
- * | Distribution    |      | LAMBERTIAN   | ISOTROPIC, LAMBERTIAN; a rectangle is always Lambertian              |
+ * | Distribution    |      | LAMBERTIAN   | ISOTROPIC, LAMBERTIAN, MEASURED; a rectangle is always Lambertian    |
  * | SideU, SideV    | m    | 0.6 m square | finite, not parallel, not zero; ignored for a point                  |
+ * | OpeningAlongC0, OpeningAlongC90 | m | 0 | at least 0; sides of the luminous opening of a MEASURED point; 0: none |
  * | Name            |      | "luminaire"  | any                                                                  |
  *
  * A Lambertian source sends I(theta) = Flux / pi cos(theta) [cd] into the half-space around Aim; an isotropic one
  * Flux / (4 pi) [cd] everywhere. A rectangle emits on one side only, that of Aim.
+ *
+ * A MEASURED source takes its intensities from a candela table, scaled to Flux; the output's field data then hold the
+ * arrays CandelaTable0 and CandelaPoles. vtkKalosPhotometryReader makes such sources from manufacturers' files. Its
+ * opening lies across Aim about Position. Receivers closer than 5 times its larger side see it as an area whose every
+ * spot radiates like the whole, others as a point.
  *
  * Up is the half-plane C = 90 deg of the distribution. Without rotation it is world +y made perpendicular to Aim, or +z
  * made perpendicular where Aim is within 0.6 deg of +-y; so a luminaire that looks down has C = 0 along +x.
@@ -33,8 +39,10 @@
 
 #include <string>  // for Name
 
+#include "vtkDoubleArray.h"  // for the candela table
 #include "vtkKalosCommonPhotometryModule.h"
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h"  // for the candela table
 
 class VTKKALOSCOMMONPHOTOMETRY_EXPORT vtkKalosLuminaireSource : public vtkPolyDataAlgorithm
 {
@@ -53,7 +61,8 @@ public:
   enum Distributions
   {
     ISOTROPIC = 0,
-    LAMBERTIAN = 1
+    LAMBERTIAN = 1,
+    MEASURED = 2
   };
 
   ///@{
@@ -87,9 +96,23 @@ public:
   ///@}
 
   ///@{
-  /** ISOTROPIC or LAMBERTIAN; read for a point only. */
-  vtkSetClampMacro(Distribution, int, ISOTROPIC, LAMBERTIAN);
+  /** ISOTROPIC, LAMBERTIAN or MEASURED; read for a point only. */
+  vtkSetClampMacro(Distribution, int, ISOTROPIC, MEASURED);
   vtkGetMacro(Distribution, int);
+  ///@}
+
+  /**
+   * Tuples (plane, angle from the pole, candela) as described for the array CandelaTable; the pole is the photometric
+   * axis, or with `sidePole` the axis of C = 90 deg. Turns Distribution to MEASURED.
+   */
+  void SetCandelaTable(vtkDoubleArray* tuples, bool sidePole);
+
+  ///@{
+  /** Sides of the luminous opening of a MEASURED point along C = 0 and C = 90 deg, m; 0 for none. */
+  vtkSetMacro(OpeningAlongC0, double);
+  vtkGetMacro(OpeningAlongC0, double);
+  vtkSetMacro(OpeningAlongC90, double);
+  vtkGetMacro(OpeningAlongC90, double);
   ///@}
 
   ///@{
@@ -120,6 +143,10 @@ protected:
   int Distribution = LAMBERTIAN;
   double SideU[3] = {0.6, 0.0, 0.0};
   double SideV[3] = {0.0, 0.6, 0.0};
+  double OpeningAlongC0 = 0.0;
+  double OpeningAlongC90 = 0.0;
+  bool SidePole = false;
+  vtkSmartPointer<vtkDoubleArray> CandelaTable;
   std::string Name = "luminaire";
 
 private:

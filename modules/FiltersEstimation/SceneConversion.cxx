@@ -10,6 +10,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -157,8 +158,59 @@ kalos::Vec3 ReadVector(vtkPolyData* luminaires, const char* name, vtkIdType i, c
   return v;
 }
 
+/// Table k of the field data; see vtkKalosArrayNames::CandelaTable.
+std::shared_ptr<const kalos::CandelaTable> ReadTable(vtkPolyData* luminaires, int k)
+{
+  const std::string name = Names::CandelaTable + std::to_string(k);
+  vtkDataArray* tuples = luminaires->GetFieldData()->GetArray(name.c_str());
+  if (!tuples || tuples->GetNumberOfComponents() != 3)
+    throw std::invalid_argument(name + ": the field data array is missing, expected tuples of plane, angle, candela");
+  vtkDataArray* poles = luminaires->GetFieldData()->GetArray(Names::CandelaPoles);
+  const bool side = poles && poles->GetNumberOfTuples() > k && poles->GetComponent(k, 0) != 0;
+  std::vector<double> planes, angles, candela;
+  bool inOrder = true;
+  for (vtkIdType i = 0; i < tuples->GetNumberOfTuples(); ++i)
+  {
+    const double plane = tuples->GetComponent(i, 0), angle = tuples->GetComponent(i, 1);
+    if (planes.empty() || plane != planes.back())
+    {
+      inOrder = inOrder && (planes.empty() || plane > planes.back()) && std::isfinite(plane);
+      planes.push_back(plane);
+    }
+    if (planes.size() == 1)
+    {
+      inOrder = inOrder && (angles.empty() ? angle >= 0 : angle > angles.back()) && angle <= 180;
+      angles.push_back(angle);
+    }
+    candela.push_back(tuples->GetComponent(i, 2));
+    inOrder = inOrder && angle == angles[(candela.size() - 1) % angles.size()];
+    if (!(candela.back() >= 0 && std::isfinite(candela.back())))
+      Refuse(name.c_str(), "tuple", i, "is " + std::to_string(candela.back()) + " cd, expected 0 or more");
+  }
+  if (!inOrder || planes.size() < 2 || angles.size() < 2 || candela.size() != planes.size() * angles.size() ||
+      planes.back() - planes.front() > 360)
+    throw std::invalid_argument(name + ": expected ascending planes of up to 360 deg, and in each the same ascending " +
+                                "angles from 0 to 180 deg");
+  auto table = std::make_shared<kalos::CandelaTable>(
+      planes, angles, candela, side ? kalos::CandelaTable::Pole::Side : kalos::CandelaTable::Pole::Axis);
+  if (!(table->flux() > 0))
+    throw std::invalid_argument(name + ": every intensity is 0, expected a luminaire that shines");
+  return table;
+}
+
+/// Unit vector across the axis; without an array, any.
+kalos::Vec3 ReadUp(vtkPolyData* luminaires, vtkIdType i, const kalos::Vec3& axis)
+{
+  const kalos::Vec3 given = ReadVector(luminaires, Names::Up, i, kalos::Frame(axis).s);
+  const kalos::Vec3 across = given - kalos::dot(given, axis) * axis;
+  if (!(kalos::length(across) > 1e-6 * kalos::length(given)))
+    Refuse(Names::Up, "luminaire", i, "is along Direction, expected a direction across it");
+  return kalos::normalized(across);
+}
+
 void AddLuminaires(vtkPolyData* input, kalos::SceneDescription& scene)
 {
+  std::map<int, std::shared_ptr<const kalos::CandelaTable>> tables;
   if (input->GetNumberOfPoints() == 0)
     return;
   vtkDataArray* flux = input->GetPointData()->GetArray(Names::LuminousFlux);
@@ -183,10 +235,19 @@ void AddLuminaires(vtkPolyData* input, kalos::SceneDescription& scene)
     if (!l.isPoint() && !(kalos::length(kalos::cross(l.sideU, l.sideV)) > 0))
       Refuse(Names::SideV, "luminaire", i, "spans no area with SideU");
     const int kind = distribution ? static_cast<int>(distribution->GetComponent(i, 0)) : 1;
-    if (kind < 0 || kind > 1)
+    if (kind < 0)
       Refuse(Names::Distribution, "luminaire", i,
-             "is " + std::to_string(kind) + ", expected 0 (isotropic) or 1 (Lambertian)");
+             "is " + std::to_string(kind) + ", expected 0 (isotropic), 1 (Lambertian) or 2 and more (candela tables)");
     l.distribution = kind == 0 && l.isPoint() ? kalos::Distribution::Isotropic : kalos::Distribution::Lambertian;
+    if (kind >= 2)
+    {
+      l.distribution = kalos::Distribution::Measured;
+      l.up = ReadUp(input, i, l.axis);
+      auto& table = tables[kind - 2];
+      if (!table)
+        table = ReadTable(input, kind - 2);
+      l.table = table;
+    }
     scene.luminaires.push_back(l);
   }
 }

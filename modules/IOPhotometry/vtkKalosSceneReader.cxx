@@ -76,7 +76,7 @@ Scene ReadScene(const std::string& path)
   std::set<std::string> names;
   Scene scene;
   scene.Surfaces = MakeSurfaceData(surfaces);
-  scene.Luminaires = ReadLuminaires(root);
+  scene.Luminaires = ReadLuminaires(root, folder);
   scene.Receivers = ReadReceivers(root, surfaces, folder, names);
   scene.Cameras = ReadCameras(root, names);
 

@@ -11,9 +11,9 @@
  * | materials  | NAME: reflectance (number or one a band, [0,1)); specular and roughness; mirror; exitance (lm/m²)   |
  * | surfaces   | name, material, and quad {origin, u, v}, box {center, size, rotation_z_deg} or file (obj, ply, stl,
  * vtp) | | luminaires | name, flux (lm), aim, rotation_deg, and position with distribution (isotropic, lambertian) or
- * rectangle {center, u, v} | | receivers  | name, and plane {origin, u, v, resolution, flip}, points (a CSV file) or
- * surface with edge_length and flip | | cameras    | name, position, target, up, fov_deg (vertical), resolution [width,
- * height]                          |
+ * rectangle {center, u, v}; or position, aim and a photometric file (.ies, .ldt), with lamp_set and flux if wanted | |
+ * receivers  | name, and plane {origin, u, v, resolution, flip}, points (a CSV file) or surface with edge_length and
+ * flip | | cameras    | name, position, target, up, fov_deg (vertical), resolution [width, height] |
  *
  * Output ports:
  * - 0, vtkPolyData: all surfaces; polygons with the cell arrays of vtkKalosArrayNames.h, SurfaceId and SurfaceNames.
@@ -26,7 +26,8 @@
  * without "material" brings its own cell arrays Reflectance, Exitance, Specular, Roughness and Mirror.
  *
  * Errors: anything missing, unknown, of the wrong type or out of range gives an error event with one line
- * `FILE: WHERE: what is wrong and what is expected`, and empty outputs. A warning is never given instead.
+ * `FILE: WHERE: what is wrong and what is expected`, and empty outputs. A warning is never given instead; what the
+ * reader of photometric files repairs or doubts stands in the field data array PhotometryWarnings of port 1.
  */
 #ifndef vtkKalosSceneReader_h
 #define vtkKalosSceneReader_h

@@ -90,7 +90,7 @@ CASES = [
     (L + "position", ..., 'luminaires.lamp: expected either "position" or "rectangle"'),
     (L + "rectangle", {}, 'luminaires.lamp: expected either "position" or "rectangle"'),
     (L + "distribution", "spot", 'luminaires.lamp.distribution: found "spot"; expected "isotropic" or "lambertian"'),
-    (L + "file", "a.ies", "luminaires.lamp.file: photometric files (.ies, .ldt) are not supported yet"),
+    (L + "file", "a.ies", 'luminaires.lamp: unknown key "distribution"; expected name, position, aim, rotation_deg, flux'),
     # Receivers
     (R + "plane", ..., 'receivers.desk: 0 kinds of receiver; expected one of "plane", "points" and "surface"'),
     (R + "points", "a.csv", 'receivers.desk: 2 kinds of receiver; expected one of "plane", "points" and "surface"'),

@@ -15,8 +15,10 @@ namespace kalos::scene
 class ErrorCatcher
 {
 public:
-  explicit ErrorCatcher(vtkAlgorithm* algorithm)
+  /** Warnings count as errors, or with `tolerant` are kept off the screen only. */
+  explicit ErrorCatcher(vtkAlgorithm* algorithm, bool tolerant = false)
   {
+    this->Observer->Tolerant = tolerant;
     algorithm->AddObserver(vtkCommand::ErrorEvent, this->Observer);
     algorithm->AddObserver(vtkCommand::WarningEvent, this->Observer);
     algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Observer);
@@ -40,14 +42,15 @@ private:
   struct Collector : public vtkCommand
   {
     static Collector* New() { return new Collector; }
-    void Execute(vtkObject*, unsigned long, void* data) override
+    void Execute(vtkObject*, unsigned long event, void* data) override
     {
-      if (this->Text.empty())
+      if (this->Text.empty() && !(this->Tolerant && event == vtkCommand::WarningEvent))
       {
         this->Text = data ? static_cast<const char*>(data) : "unknown error";
       }
     }
     std::string Text;
+    bool Tolerant = false;
   };
 
   vtkNew<Collector> Observer;

@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneLuminaires.h"
 
+#include <algorithm>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "ErrorCatcher.h"
+#include "SceneError.h"
+#include "SceneSurfaces.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkKalosArrayNames.h"
 #include "vtkKalosLuminaireSource.h"
+#include "vtkKalosPhotometryReader.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkStringArray.h"
 
 namespace kalos::scene
 {
@@ -55,13 +66,56 @@ void ReadRectangle(const Node& node, vtkKalosLuminaireSource* source)
   }
 }
 
+void AddWarning(vtkStringArray* warnings, const std::string& code, const std::string& file, const std::string& text)
+{
+  for (const std::string& part : {code, file, text})
+  {
+    warnings->InsertNextValue(part);
+  }
+}
+
+/** A luminaire of a photometric file; each file's warnings are told once. */
+vtkSmartPointer<vtkPolyData> ReadMeasured(const Node& node, const std::string& folder, std::set<std::string>& told,
+                                          vtkStringArray* warnings)
+{
+  node.CheckKeys({"name", "position", "aim", "rotation_deg", "flux", "file", "lamp_set"});
+  const std::string path = ResolvePath(folder, node.At("file").String());
+  vtkNew<vtkKalosPhotometryReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->SetName(node.Name());
+  reader->SetPosition(node.At("position").Vector().data());
+  reader->SetAim(node.At("aim").NonZeroVector().data());
+  if (const auto rotation = node.Find("rotation_deg"))
+  {
+    reader->SetRotationDegrees(rotation->Number());
+  }
+  if (const auto flux = node.Find("flux"))
+  {
+    reader->SetFlux(flux->NumberAbove(0.0));
+  }
+  if (const auto lampSet = node.Find("lamp_set"))
+  {
+    reader->SetLampSet(lampSet->Integer(1, 20));
+  }
+  ErrorCatcher errors(reader, true);
+  reader->Update();
+  if (!errors.Empty())
+  {
+    const std::string text = errors.FirstLine();
+    const std::size_t where = path.size() + 2, end = text.find(": ", where);
+    throw SceneError(path, text.substr(where, end - where), text.substr(end + 2));
+  }
+  for (int i = 0; i < reader->GetNumberOfWarnings() && told.count(path) == 0; ++i)
+  {
+    AddWarning(warnings, reader->GetWarningCode(i), path, reader->GetWarning(i));
+  }
+  told.insert(path);
+  return vtkPolyData::SafeDownCast(reader->GetOutputDataObject(3));
+}
+
 vtkSmartPointer<vtkPolyData> ReadLuminaire(const Node& node)
 {
-  node.CheckKeys({"name", "position", "rectangle", "aim", "rotation_deg", "flux", "distribution", "file"});
-  if (const auto file = node.Find("file"))
-  {
-    file->Fail("photometric files (.ies, .ldt) are not supported yet; expected \"flux\" and \"distribution\" instead");
-  }
+  node.CheckKeys({"name", "position", "rectangle", "aim", "rotation_deg", "flux", "distribution", "file", "lamp_set"});
   if (node.Has("position") == node.Has("rectangle"))
   {
     node.Fail("expected either \"position\" or \"rectangle\"");
@@ -84,9 +138,54 @@ vtkSmartPointer<vtkPolyData> ReadLuminaire(const Node& node)
   }
   return source->GetOutput();
 }
+/** Candela tables of all luminaires; equal ones are kept once. */
+class Tables
+{
+public:
+  explicit Tables(vtkPolyData* luminaires) : Fields(luminaires->GetFieldData())
+  {
+    this->Poles->SetName(vtkKalosArrayNames::CandelaPoles);
+  }
+
+  /** The Distribution of a luminaire in the common numbering. */
+  int Add(vtkPolyData* one)
+  {
+    auto* table =
+        vtkDoubleArray::SafeDownCast(one->GetFieldData()->GetArray((vtkKalosArrayNames::CandelaTable + Zero).c_str()));
+    const int pole = static_cast<int>(one->GetFieldData()->GetArray(vtkKalosArrayNames::CandelaPoles)->GetTuple1(0));
+    for (std::size_t k = 0; k < this->All.size(); ++k)
+    {
+      if (this->Poles->GetValue(static_cast<vtkIdType>(k)) == pole && Equal(this->All[k], table))
+      {
+        return 2 + static_cast<int>(k);
+      }
+    }
+    if (this->All.empty())
+    {
+      this->Fields->AddArray(this->Poles);
+    }
+    table->SetName((vtkKalosArrayNames::CandelaTable + std::to_string(this->All.size())).c_str());
+    this->Fields->AddArray(table);
+    this->Poles->InsertNextValue(pole);
+    this->All.push_back(table);
+    return 1 + static_cast<int>(this->All.size());
+  }
+
+private:
+  static bool Equal(vtkDoubleArray* a, vtkDoubleArray* b)
+  {
+    const vtkIdType count = a->GetNumberOfValues();
+    return b->GetNumberOfValues() == count && std::equal(a->GetPointer(0), a->GetPointer(0) + count, b->GetPointer(0));
+  }
+
+  const std::string Zero = "0";
+  vtkFieldData* Fields;
+  vtkNew<vtkIntArray> Poles;
+  std::vector<vtkSmartPointer<vtkDoubleArray>> All;
+};
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene)
+vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string& folder)
 {
   auto all = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -94,10 +193,21 @@ vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene)
   all->SetPoints(points);
   all->AllocateExact(1, 1);
   std::set<std::string> names;
+  std::set<std::string> told;
+  vtkNew<vtkStringArray> warnings;
+  warnings->SetName(vtkKalosArrayNames::PhotometryWarnings);
+  warnings->SetNumberOfComponents(3);
+  all->GetFieldData()->AddArray(warnings);
+  Tables tables(all);
   const auto section = scene.Find("luminaires");
   for (const Node& node : section ? section->Items() : std::vector<Node>())
   {
-    const auto one = ReadLuminaire(node);
+    const bool measured = node.Has("file");
+    const auto one = measured ? ReadMeasured(node, folder, told, warnings) : ReadLuminaire(node);
+    if (measured)
+    {
+      one->GetPointData()->GetArray(vtkKalosArrayNames::Distribution)->SetTuple1(0, tables.Add(one));
+    }
     if (!names.insert(node.Name()).second)
     {
       node.Fail("another luminaire has this name; expected a name of its own");

@@ -9,8 +9,11 @@
 
 namespace kalos::scene
 {
-/** All luminaires in one, as vtkKalosLuminaireSource makes them. */
-vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene);
+/**
+ * All luminaires in one, as vtkKalosLuminaireSource makes them; photometric files are looked for below `folder`. Field
+ * data: the candela tables, and PhotometryWarnings.
+ */
+vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string& folder);
 }  // namespace kalos::scene
 
 #endif
