@@ -25,6 +25,9 @@ LUMINANCE = "Luminance"
 LUMINANCE_STANDARD_ERROR = "LuminanceStandardError"
 LUMINANCE_BANDS = "LuminanceBands"
 
+PHOTOMETRY_WARNINGS = "PhotometryWarnings"
+INTENSITY = "Intensity"
+
 AUDIT = "Audit"
 TRAJECTORIES = "Trajectories"
 SOLVE_SECONDS = "SolveSeconds"

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From a scene file to a folder of results: reads, estimates, writes."""
 import os
+import sys
 import time
+from collections import Counter
 from pathlib import Path
 
 import kalos
@@ -34,6 +36,9 @@ def solve(scene, out, options=Options(), say=lambda text: None, preparing=True):
         result = summarise(scene, options, receivers, images, outputs)
         result["audit"] = prepared.audit + result["audit"]
         result["setup_seconds"] = setup
+        result["warnings"] = photometry_warnings(reader)
+        for one in result["warnings"]["list"]:
+            print(f"kalos: warning: {one['file']}: {one['message']}", file=sys.stderr)
         say("audit")
         say(figures.audit_text(result["audit"]))
         write(folder, receivers, images, result)
@@ -53,6 +58,14 @@ def read_scene(path):
     reader.SetFileName(os.fspath(path))
     update(reader)
     return reader
+
+
+def photometry_warnings(reader):
+    """What the scene's photometric files made one doubt or repair: counts by code, and every warning."""
+    table = reader.GetLuminaires().GetFieldData().GetAbstractArray(arrays.PHOTOMETRY_WARNINGS)
+    cells = [table.GetValue(i) for i in range(table.GetNumberOfValues())]
+    found = [dict(zip(("code", "file", "message"), cells[i:i + 3])) for i in range(0, len(cells), 3)]
+    return {"count": len(found), "codes": dict(Counter(one["code"] for one in found)), "list": found}
 
 
 def receiver_names(reader):

@@ -84,3 +84,17 @@ def test_openings(forms, form):
 def test_audit(forms):
     assert forms["point.ies"][1]["point luminaires"] == "1, exact"
     assert forms["large"][1]["luminous rectangles"] == "1, polygon formula"
+
+
+def test_warnings_are_counted(tmp_path, capfd):
+    write_ies(tmp_path / "a.ies", cosine, angles=ANGLES, lumens=10)
+    path = tmp_path / "scene.json"
+    (tmp_path / "near.csv").write_text("x,y,z,nx,ny,nz\n2,2,2,0,0,1\n")
+    description = room({"position": [2, 2, 2.9], "file": "a.ies"})
+    description["luminaires"].append({**description["luminaires"][0], "name": "other"})
+    path.write_text(json.dumps(description))
+    summary = solve(path, tmp_path / "out", Options(trajectories=320))
+    assert summary["warnings"]["count"] == 1 and summary["warnings"]["codes"] == {"ies-flux": 1}
+    assert summary["warnings"] == json.loads((tmp_path / "out" / "summary.json").read_text())["warnings"]
+    warning = f"{tmp_path}/a.ies: line 8: lumens per lamp: the intensities make 100 lm, more than the lamps' 10 [ies-flux]"
+    assert capfd.readouterr().err.endswith(f"kalos: warning: {warning}\n")

@@ -49,7 +49,7 @@ struct PhotometricFile
   double lampFlux = 0;    ///< lm of all lamps by the header; 0 when the photometry is absolute
   double statedFlux = 0;  ///< lm of the luminaire that the header claims; 0 when it claims none
   Opening opening{};
-  int lampSets = 1;                             ///< of an EULUMDAT file
+  int lampSets = 1;                                 ///< of an EULUMDAT file
   std::vector<double> tiltAngles{}, tiltFactors{};  ///< of TILT=INCLUDE or of a tilt file; empty for TILT=NONE
   std::vector<PhotometryWarning> warnings{};
 
