@@ -12,8 +12,9 @@
  * | surfaces   | name, material, and quad {origin, u, v}, box {center, size, rotation_z_deg} or file (obj, ply, stl,
  * vtp) | | luminaires | name, flux (lm), aim, rotation_deg, and position with distribution (isotropic, lambertian) or
  * rectangle {center, u, v}; or position, aim and a photometric file (.ies, .ldt), with lamp_set and flux if wanted | |
- * receivers  | name, and plane {origin, u, v, resolution, flip}, points (a CSV file) or surface with edge_length and
- * flip | | cameras    | name, position, target, up, fov_deg (vertical), resolution [width, height] |
+ * receivers  | name, and plane {origin, u, v, resolution or spacing "EN 12464-1", flip}, points (a CSV file) or surface
+ * with edge_length and flip | | cameras    | name, position, target, up, fov_deg (vertical), resolution [width, height]
+ * |
  *
  * Output ports:
  * - 0, vtkPolyData: all surfaces; polygons with the cell arrays of vtkKalosArrayNames.h, SurfaceId and SurfaceNames.

@@ -101,7 +101,12 @@ CASES = [
     (R + "plane.resolution", [1e300, 1e300], PIXELS),
     (R + "plane.v", [1, 0, 0], "receivers.desk.plane: the calculation plane has no area; expected U and V"),
     (R + "plane.flip", 1, "receivers.desk.plane.flip: found 1; expected true or false"),
-    (R + "plane.n", 1, 'receivers.desk.plane: unknown key "n"; expected origin, u, v, resolution, flip'),
+    (R + "plane.n", 1, 'receivers.desk.plane: unknown key "n"; expected origin, u, v, resolution, spacing'),
+    (R + "plane.spacing", "EN 12464-1", 'receivers.desk.plane.spacing: "resolution" is given as well; expected one of them'),
+    (R + "plane", {"origin": [0, 0, 0], "u": [1, 0, 0], "v": [0, 1, 0], "spacing": "DIN"},
+     'receivers.desk.plane.spacing: found "DIN"; expected "EN 12464-1"'),
+    (R + "plane", {"origin": [0, 0, 0], "u": [1e6, 0, 0], "v": [0, 1e-3, 0], "spacing": "EN 12464-1"},
+     "receivers.desk.plane: too long or too narrow for the grid of EN 12464-1; expected a"),
     (R + "height", 1, 'receivers.desk: unknown key "height"; expected name, plane, flip'),
     # Cameras
     (C + "fov_deg", 0, "cameras.front.fov_deg: found 0; expected an angle above 0 and below 180 degrees"),

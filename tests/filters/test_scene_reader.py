@@ -151,3 +151,15 @@ def test_a_failure_leaves_nothing_of_the_scene_before(tmp_path):
     assert reader.GetLuminaires().GetNumberOfPoints() == 0
     assert reader.GetReceivers().GetNumberOfBlocks() == 0
     assert reader.GetNumberOfCameras() == 0
+
+
+@pytest.mark.parametrize("u, v, cells", [
+    (10, 10, (10, 10)), (5, 4, (8, 6)), (2, 1.5, (6, 5)), (1, 1, (5, 5)),  # table A.1 of EN 12464-1: 10, 8, 6, 5 points a side
+    (100, 80, (20, 16)), (20, 5, (32, 8)), (1000, 900, (100, 90))])
+def test_grid_of_the_standard(tmp_path, u, v, cells):
+    """EN 12464-1: p = 0.2 x 5^log10(d); from twice as long as wide on, d is the shorter side; p at most 10 m."""
+    scene = minimal_scene()
+    scene["receivers"][0]["plane"] = {"origin": [0, 0, 0], "u": [u, 0, 0], "v": [0, v, 0], "spacing": "EN 12464-1"}
+    plane = read(tmp_path, scene).GetReceivers().GetBlock(0)
+    assert plane.GetNumberOfCells() == cells[0] * cells[1]
+    assert plane.GetPoint(1)[0] == pytest.approx(u / cells[0])

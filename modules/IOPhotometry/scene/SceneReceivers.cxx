@@ -2,6 +2,8 @@
 #include "SceneReceivers.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "ErrorCatcher.h"
 #include "ProbeFile.h"
@@ -21,11 +23,53 @@ bool ReadFlip(const Node& node)
   return flip && flip->Boolean();
 }
 
+/**
+ * Grid of EN 12464-1: spacing p = 0.2 * 5^log10(d), at most 10 m, d the longer side in metres, or the shorter one of a
+ * plane at least twice as long as wide; the nearest whole number of cells to each side over p.
+ */
+std::array<int, 2> StandardGrid(const Node& plane)
+{
+  const double sides[2] = {Norm(plane.At("u").Vector()), Norm(plane.At("v").Vector())};
+  const double longer = std::max(sides[0], sides[1]);
+  const double shorter = std::min(sides[0], sides[1]);
+  const double d = longer < 2.0 * shorter ? longer : shorter;
+  const double spacing = std::min(10.0, 0.2 * std::pow(5.0, std::log10(d)));
+  std::array<int, 2> cells{};
+  for (int i = 0; i < 2; ++i)
+  {
+    const double count = std::max(1.0, std::round(sides[i] / spacing));
+    if (!(count < 1e4))
+    {
+      plane.Fail("too long or too narrow for the grid of EN 12464-1; expected a \"resolution\"");
+    }
+    cells[i] = static_cast<int>(count);
+  }
+  return cells;
+}
+
+std::array<int, 2> ReadGrid(const Node& plane)
+{
+  const auto spacing = plane.Find("spacing");
+  if (!spacing)
+  {
+    return plane.At("resolution").Resolution();
+  }
+  if (plane.Has("resolution"))
+  {
+    spacing->Fail("\"resolution\" is given as well; expected one of them");
+  }
+  if (spacing->String() != "EN 12464-1")
+  {
+    spacing->FailExpected("\"EN 12464-1\"");
+  }
+  return StandardGrid(plane);
+}
+
 vtkSmartPointer<vtkPolyData> ReadPlane(const Node& receiver)
 {
   receiver.CheckKeys({"name", "plane", "flip"});
   const Node node = receiver.At("plane");
-  node.CheckKeys({"origin", "u", "v", "resolution", "flip"});
+  node.CheckKeys({"origin", "u", "v", "resolution", "spacing", "flip"});
   if (node.Has("flip") && receiver.Has("flip"))
   {
     receiver.At("flip").Fail("\"flip\" is given twice; expected once");
@@ -34,7 +78,7 @@ vtkSmartPointer<vtkPolyData> ReadPlane(const Node& receiver)
   plane->SetOrigin(node.At("origin").Vector().data());
   plane->SetU(node.At("u").Vector().data());
   plane->SetV(node.At("v").Vector().data());
-  plane->SetResolution(node.At("resolution").Resolution().data());
+  plane->SetResolution(ReadGrid(node).data());
   plane->SetFlip(ReadFlip(node) || ReadFlip(receiver));
   ErrorCatcher errors(plane);
   plane->Update();

@@ -23,7 +23,10 @@ double intensity(const Luminaire& l, const Vec3& direction)
     case Distribution::Measured:
       break;
   }
-  const Vec3 local{dot(direction, cross(l.axis, l.up)), dot(direction, l.up), dot(direction, l.axis)};
+  const double along = dot(direction, l.axis);
+  if (along < 0 && l.table->isOneSided())
+    return 0;
+  const Vec3 local{dot(direction, cross(l.axis, l.up)), dot(direction, l.up), along};
   return l.flux / l.table->flux() * l.table->intensity(local);
 }
 
