@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <new>
@@ -268,6 +269,14 @@ meshing::Progress ProgressOf(vtkAlgorithm* algorithm, double seconds)
     algorithm->UpdateProgress(share);
     return !algorithm->GetAbortExecute();
   };
+}
+
+void CheckTimeLimit(double seconds)
+{
+  if (!(seconds >= 0.0 && std::isfinite(seconds)))
+  {
+    throw std::invalid_argument("TimeLimit is not allowed; expected seconds above 0, or 0 for none");
+  }
 }
 
 int Guarded(vtkAlgorithm* algorithm, std::initializer_list<vtkDataObject*> outputs, const std::function<void()>& work)

@@ -37,6 +37,9 @@ void FillPolyData(const meshing::TriangleMesh& mesh, vtkPolyData* input, vtkPoly
 /** Reports to the algorithm and stops when it is to abort; throws when it has taken `seconds`, unless 0. */
 meshing::Progress ProgressOf(vtkAlgorithm* algorithm, double seconds = 0.0);
 
+/** Throws std::invalid_argument unless it is 0 or more seconds. */
+void CheckTimeLimit(double seconds);
+
 /** Does the work; what it throws empties the outputs and becomes an error event, but for an abort. Returns VTK's 1 or
  * 0. */
 int Guarded(vtkAlgorithm* algorithm, std::initializer_list<vtkDataObject*> outputs, const std::function<void()>& work);

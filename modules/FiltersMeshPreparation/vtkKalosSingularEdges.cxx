@@ -268,6 +268,7 @@ int vtkKalosSingularEdges::RequestData(vtkInformation*, vtkInformationVector** i
     {
       throw std::invalid_argument("Tolerance is not allowed; expected metres above 0, or 0 for automatic");
     }
+    kalos::CheckTimeLimit(this->TimeLimit);
     const kalos::ConvertedMesh input = kalos::ConvertMesh(vtkPolyData::GetData(inputs[0]));
     kalos::meshing::EdgeSettings settings;
     settings.tolerance = this->Tolerance;
@@ -276,7 +277,7 @@ int vtkKalosSingularEdges::RequestData(vtkInformation*, vtkInformationVector** i
     settings.wanted = {this->ConcaveEdges, this->ConvexEdges,      this->CoplanarEdges,
                        this->BorderEdges,  this->NonManifoldEdges, this->ContactEdges};
     const kalos::meshing::Curves curves =
-        kalos::meshing::findSingularEdges(input.Mesh, settings, kalos::ProgressOf(this));
+        kalos::meshing::findSingularEdges(input.Mesh, settings, kalos::ProgressOf(this, this->TimeLimit));
     if (vtkDataObject* receivers = vtkDataObject::GetData(inputs[1]))
     {
       CopyReceivers(receivers, receiversOutput);
@@ -299,4 +300,5 @@ void vtkKalosSingularEdges::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FlatAngle: " << this->FlatAngle << "\n";
   os << indent << "BothSides: " << this->BothSides << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
 }

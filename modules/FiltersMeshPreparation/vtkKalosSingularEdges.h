@@ -34,13 +34,14 @@
  * - Tolerance (0): distance below which points are one and surfaces touch, m; 0: 10^-6 of the diagonal. Contacts
  * shorter than four of it count as points; where edges cross at an angle, the ends of a contact are right to a few
  * tolerances over its sine.
+ * - TimeLimit (600): time after which the search is given up, as on heaps of triangles that all cross, s; 0: none.
  *
  * Method: neighbours by OpenMesh half-edges, by a sorted list of edges where half-edges cannot store them; contacts by
  * CGAL's intersection of bounding boxes and a test of each pair of triangles; distances by CGAL's tree of segments.
  * Time is O(n log n) in the triangles. Progress is reported and AbortExecute obeyed; then the outputs are empty.
  *
- * Errors: no polygons, a point that is missing, NaN or infinite, a FlatAngle or Tolerance out of range: one error event
- * and empty outputs. A build with this class contains CGAL code and is distributed under GPL-3.0-or-later.
+ * Errors: no polygons, a point that is missing, NaN or infinite, a property out of range, the time limit: one error
+ * event and empty outputs. A build with this class contains CGAL code and is distributed under GPL-3.0-or-later.
  */
 #ifndef vtkKalosSingularEdges_h
 #define vtkKalosSingularEdges_h
@@ -109,6 +110,12 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
+  ///@{
+  /** Time after which the search is given up, s; 0: none. */
+  vtkSetMacro(TimeLimit, double);
+  vtkGetMacro(TimeLimit, double);
+  ///@}
+
   /** The counts, output port 2. */
   vtkTable* GetReport();
 
@@ -142,6 +149,7 @@ protected:
   double FlatAngle = 0.5;
   bool BothSides = false;
   double Tolerance = 0.0;
+  double TimeLimit = 600.0;
 
 private:
   vtkKalosSingularEdges(const vtkKalosSingularEdges&) = delete;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkKalosSurfaceAlgorithm.h"
 
-#include <cmath>
-
 #include "MeshConversion.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -31,10 +29,7 @@ int vtkKalosSurfaceAlgorithm::RequestData(vtkInformation*, vtkInformationVector*
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   vtkTable* report = vtkTable::GetData(outputs, 1);
   return kalos::Guarded(this, {output, report}, [&] {
-    if (!(this->TimeLimit >= 0.0 && std::isfinite(this->TimeLimit)))
-    {
-      throw std::invalid_argument("TimeLimit is not allowed; expected seconds above 0, or 0 for none");
-    }
+    kalos::CheckTimeLimit(this->TimeLimit);
     kalos::ConvertedMesh converted = kalos::ConvertMesh(input);
     this->Work(input, converted, output, report);
   });

@@ -41,7 +41,7 @@ def parser():
     prepare.add_argument("--out", metavar="OUT.vtp", required=True, help="file for the prepared surface")
     prepare.add_argument("--edge-length", metavar="M", type=EDGE_LENGTH, help="remesh to edges of about this length, m (off)")
     prepare.add_argument("--report", metavar="FILE.json", help="file for what was done (none)")
-    prepare.add_argument("--time", metavar="SECONDS", type=TIME, help="give up repair or remeshing after so long, each (600)")
+    prepare.add_argument("--time", metavar="SECONDS", type=TIME, help="give up each step after so long (600)")
     prepare.set_defaults(run=run_prepare)
 
     validate = commands.add_parser("validate", help="hold every method against scenes with a closed-form answer")

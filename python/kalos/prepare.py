@@ -19,7 +19,7 @@ EDGE_CLASSES = {"concave": "CONCAVE", "contact": "CONTACT", "non-manifold": "NON
 def prepare(path, out, edge_length=None, report=None, say=None, time_limit=None):
     """Reads a mesh file, writes the prepared surface to `out` (.vtp) and what was done to `report` (JSON).
 
-    Each of repair and remeshing is given up after `time_limit` seconds, if not those of the filters.
+    Each of repair, remeshing and the search for edges is given up after `time_limit` seconds, if not those of the filters.
     """
     if Path(out).suffix.lower() != ".vtp":
         raise KalosError(f"{out}: --out: not a .vtp file, expected a name that ends in .vtp")
@@ -41,6 +41,7 @@ def prepare(path, out, edge_length=None, report=None, say=None, time_limit=None)
         facts["remesh"] = table(last.GetReport())
     edges = kalos.vtkKalosSingularEdges()
     edges.SetInputConnection(last.GetOutputPort())
+    edges.SetTimeLimit(repair.GetTimeLimit())
     of_file(path, edges, "singular edges")
     facts["singular_edges"] = {name: lengths(edges.GetOutput(), getattr(edges, value)) for name, value in EDGE_CLASSES.items()}
     facts["edges"] = table(edges.GetReport())

@@ -265,7 +265,7 @@ def test_bad_properties_are_refused(kind, settings, message):
     assert filter_.GetOutput().GetNumberOfCells() == 0
 
 
-@pytest.mark.parametrize("kind, settings", [(vtkKalosSurfaceRepair, {}), (vtkKalosSurfaceRemesh, {"EdgeLength": 0.02})])
+@pytest.mark.parametrize("kind, settings", [(vtkKalosSurfaceRepair, {}), (vtkKalosSingularEdges, {}), (vtkKalosSurfaceRemesh, {"EdgeLength": 0.02})])
 def test_the_time_limit(kind, settings):
     filter_ = make(kind, room(), TimeLimit=1e-6, **settings)
     assert "time limit of 1e-06 s" in update_error(filter_)
