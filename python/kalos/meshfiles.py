@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Mesh files in whatever state, as vtkPolyData to repair. Scene files read their meshes elsewhere and refuse bad ones."""
+import os
 from pathlib import Path
 
 import numpy as np
@@ -138,6 +139,23 @@ def by_vtk(module, name):
     return read
 
 
+def read_gltf(path):
+    """By VTK, first in a child process: VTK's reader crashes on files that break the format's rules."""
+    read = by_vtk("vtkIOGeometry", "vtkGLTFReader")
+    child = os.fork()
+    if child == 0:
+        silence = os.open(os.devnull, os.O_WRONLY)
+        for stream in (1, 2):
+            os.dup2(silence, stream)
+        try:
+            read(path)
+        finally:
+            os._exit(0)  # an error message is the parent's to give
+    if os.waitpid(child, 0)[1]:
+        raise KalosError(f"{path}: file: VTK's reader crashes on it; expected a file that keeps the rules of glTF 2")
+    return read(path)
+
+
 def read_ply(path):
     """By VTK, after a look at the header: VTK's reader crashes on lists among the points' properties."""
     elements = []
@@ -197,4 +215,4 @@ def joined(data):
 
 READERS = {".obj": read_obj, ".off": read_off, ".ply": read_ply,
            ".stl": by_vtk("vtkIOGeometry", "vtkSTLReader"), ".vtp": by_vtk("vtkIOXML", "vtkXMLPolyDataReader"),
-           ".gltf": by_vtk("vtkIOGeometry", "vtkGLTFReader"), ".glb": by_vtk("vtkIOGeometry", "vtkGLTFReader")}
+           ".gltf": read_gltf, ".glb": read_gltf}

@@ -58,6 +58,13 @@ def by(writer):
     return write
 
 
+LOST = json.dumps({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+                   "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+                   "buffers": [{"uri": "not-there.bin", "byteLength": 36}],
+                   "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}],
+                   "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                                  "min": [0, 0, 0], "max": [1, 1, 1]}]})
+
 WRITERS = {"obj": write_obj, "off": write_off, "gltf": write_gltf, "ply": by(vtkPLYWriter), "stl": by(vtkSTLWriter),
            "vtp": by(vtkXMLPolyDataWriter)}
 
@@ -100,7 +107,7 @@ def test_the_cornell_room(command, tmp_path):
     ("bad.obj", "v 0 0 zero\n", "line 1: '0 0 zero' is not allowed"), ("far.obj", "v 0 0 0\nf 1 2 3\n", "line 2"),
     ("short.off", "OFF\n3 1 0\n0 0 0\n", "counts"), ("no.off", "3 1 0\n", "no OFF header"), ("bad.stl", "solid nothing", "bad.stl"),
     ("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "NaN or infinite"), ("bad.vtp", "<nothing", "bad.vtp"),
-    ("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "degenerate"), ("bad.gltf", "{", "bad.gltf"), ("bad.ply", "ply\n", "not closed"),
+    ("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "degenerate"), ("bad.gltf", "{", "bad.gltf"), ("lost.gltf", LOST, "crashes"), ("bad.ply", "ply\n", "not closed"),
     ("list.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty list uchar int vertex_indices\nend_header\n", "a list among"),
     ("points.ply", "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n", "no polygons"), ("many.ply", "ply\nformat ascii 1.0\nelement vertex 900000000\nend_header\n", "do not fit"), ("not.ply", "obj\n", "no PLY header")])
 def test_bad_files(name, text, message, command, tmp_path):
