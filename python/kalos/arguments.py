@@ -6,6 +6,7 @@ import sys
 
 from kalos.errors import BAD_INPUT
 from kalos.estimator import METHODS
+from kalos.peers import NAMES as PEERS
 
 
 class Parser(argparse.ArgumentParser):
@@ -54,6 +55,20 @@ def method(text):
     if text not in METHODS:
         raise argparse.ArgumentTypeError(f"{text!r} is not allowed, expected one of {', '.join(METHODS)}")
     return text
+
+
+def methods(text):
+    """Methods of Kalos, each once."""
+    return tuple(dict.fromkeys(method(name) for name in text.split(",")))
+
+
+def peers(text):
+    """Names of peers, each once; none for the word none."""
+    names = () if text == "none" else tuple(dict.fromkeys(text.split(",")))
+    for name in names:
+        if name not in PEERS:
+            raise argparse.ArgumentTypeError(f"{name!r} is not allowed, expected none, or some of {', '.join(PEERS)}")
+    return names
 
 
 SWEEPS = {"trajectories": COUNT, "delta": length, "epsilon": length, "method": method, "seed": SEED}

@@ -3,7 +3,7 @@
 import sys
 
 from kalos import __version__
-from kalos.arguments import COUNT, RELATIVE, SEED, THREADS, TIME, Parser, length, quantity, sweep
+from kalos.arguments import COUNT, PEERS, RELATIVE, SEED, THREADS, TIME, Parser, length, methods, peers, quantity, sweep
 from kalos.errors import FAILED, KalosError
 from kalos.estimator import DEFAULT_METHOD, METHODS, REFERENCE_TRAJECTORIES, Options
 
@@ -35,6 +35,10 @@ def parser():
                        help="of the reference by compensated, kept in DIR for the next study (%(default)s)")
     add_method_options(study, None)
     study.set_defaults(run=run_study)
+
+    chart = commands.add_parser("chart", help="draw the error of every method against time, and of the peers that are installed")
+    add_chart_options(chart)
+    chart.set_defaults(run=run_chart)
 
     prepare = commands.add_parser("prepare", help="repair a mesh, remesh it if wanted, and find its singular edges")
     prepare.add_argument("mesh", metavar="IN", help="the mesh: .obj, .ply, .stl, .off, .gltf, .glb or .vtp, in metres")
@@ -71,6 +75,24 @@ def add_method_options(command, method):
     add("--threads", metavar="T", type=THREADS, default=defaults.threads, help="threads, 0 for all (%(default)s)")
 
 
+def add_chart_options(command):
+    add = command.add_argument
+    add("scene", metavar="SCENE.json", help="the scene file")
+    add("--out", metavar="DIR", required=True, help="folder for the results; made if it is not there")
+    add("--receivers", metavar="NAME", help="the receiver set to measure on (all of the scene, together)")
+    add("--methods", metavar="a,b,...", type=methods, help=f"methods of Kalos out of {', '.join(METHODS)} (all)")
+    add("--peers", metavar="a,b,...", type=peers, default=PEERS,
+        help=f"other programs out of {', '.join(PEERS)}, or none (all that are installed where KALOS_PEERS_PYTHON points to)")
+    add("--relative-to", choices=("value", "mean"), default="value",
+        help="what errors are a share of: each receiver's value, or the mean over them (%(default)s)")
+    add("--budget", metavar="SECONDS", type=TIME, default=60.0, help="processor time per method or peer, s (%(default)g)")
+    add("--reference-trajectories", metavar="N", type=COUNT, default=REFERENCE_TRAJECTORIES,
+        help="of the reference by compensated, kept in DIR for the next chart; where no closed form is known (%(default)s)")
+    add("--seed", metavar="K", type=SEED, default=1, help="first of the seeds of the random numbers (%(default)s)")
+    add("--threads", metavar="T", type=quantity(int, "a whole number from 1 to 1024", lambda n: 1 <= n <= 1024), default=1,
+        help="threads of every contender (%(default)s)")
+
+
 def add_goals(command):
     add = command.add_argument
     add("--error", metavar="E", type=RELATIVE,
@@ -99,6 +121,14 @@ def run_study(arguments):
         arguments.method = "sphere-published"
     rows = (table1 if arguments.table1 else combinations)(arguments.sweep, options_of(arguments))
     study(arguments.scene, arguments.out, rows, arguments.reference_trajectories, say=print)
+    return 0
+
+
+def run_chart(arguments):
+    from kalos.chart import chart
+
+    chart(arguments.scene, arguments.out, arguments.receivers, arguments.methods, arguments.peers, arguments.relative_to,
+          arguments.budget, arguments.reference_trajectories, arguments.seed, arguments.threads, say=print)
     return 0
 
 

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`kalos chart`: error against time for every method of Kalos and the peers that are installed, on one scene.
+
+Every contender climbs a ladder of efforts, each twice the last, with several seeds a step, until its share of processor
+time is used. Errors are held against a closed form where the scene has one, else against a converged reference by
+`compensated`, which is unbiased; its own standard error is stated and taken out of the rms. Times are processor seconds
+of the solve, set-up (reading, trees, compilation) apart, and all contenders run on the same number of threads.
+"""
+import csv
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import kalos
+from kalos.chart_picture import draw_chart
+from kalos.contenders import PEERS, Room, assemble
+from kalos.convergence import FARTHEST, Truth, deviation_of_mean, errors, time_to
+from kalos.errors import FAILED, KalosError
+from kalos.estimator import REFERENCE_METHOD, REFERENCE_TRAJECTORIES
+from kalos.output import staged
+from kalos.peers import Absent
+from kalos.study import find_reference
+from kalos.summary import write_json
+from kalos.validate import CASES, DATA
+
+GOALS = (0.05, 0.02, 0.01, 0.005)
+SEEDS = 4
+COLUMNS = ("contender", "effort", "seeds", "cpu_seconds", "rays", "rms_of_value", "p95_of_value", "max_of_value", "rms_of_mean",
+           "p95_of_mean", "max_of_mean", "mean_off", "mean_off_error")
+
+
+def chart(scene, out, receivers=None, methods=None, peers=tuple(PEERS), relative_to="value", budget=60.0,
+          reference=REFERENCE_TRAJECTORIES, seed=1, threads=1, say=lambda text: None):
+    """Measures into the folder `out` and returns what is in chart.json."""
+    room = Room(scene, receivers)
+    with staged(out) as folder:
+        contenders = assemble(room, methods, peers, threads, say)
+        if not contenders:
+            raise KalosError("--methods: nothing is left to measure, expected a method or a peer that can take part")
+        truth, file = find_truth(scene, room, reference, Path(out), folder)
+        rows = []
+        for contender in contenders:
+            try:
+                rows += climb(contender, truth, budget, seed)
+            except Absent as absent:
+                raise KalosError(f"{contender.NAME}: {absent}", FAILED) from None
+            finally:
+                contender.close()
+        result = {"kalos": kalos.__version__, "scene": str(scene), "receivers": room.name, "lit": int(truth.lit.sum()),
+                  "dark": int((~truth.lit).sum()), "relative_to": relative_to, "threads": threads,
+                  "reference": {"source": truth.source, "file": file, "rms": truth.noise(relative_to)},
+                  "contenders": [describe(one, rows, relative_to) for one in contenders], "steps": rows}
+        compare(result["contenders"])
+        write_json(folder / "chart.json", result)
+        write_csv(folder / "chart.csv", rows)
+        draw_chart(folder, result)
+    say(text(result))
+    say("pictures\n" + "\n".join(f"  {Path(out) / name}" for name in ("chart.png", "chart.svg")))
+    return result
+
+
+def find_truth(scene, room, count, out, folder):
+    """The closed form of a scene of data/ that has one, else the reference; and the reference's file."""
+    for case in CASES:
+        if (DATA / case.scene).resolve() == Path(scene).resolve():
+            values = case.truth(room.points, room.normals)
+            return Truth(values, np.zeros(len(values)), "closed form"), None
+    found, name = find_reference(room, count, out, folder)
+    return Truth(found.values, found.standard_error, f"{found.trajectories} trajectories of {REFERENCE_METHOD}"), name
+
+
+def climb(contender, truth, budget, seed):
+    """Rows of the table, one a step: until the next step would exceed the budget."""
+    rows, spent, effort = [], 0.0, contender.START
+    while True:
+        runs = [contender.solve(effort, seed + k) for k in range(SEEDS)]
+        values, seconds = [run.values for run in runs], [run.cpu_seconds for run in runs]
+        spent += sum(seconds)
+        rays = None if runs[0].rays is None else float(np.mean([run.rays for run in runs]))
+        off, off_error = deviation_of_mean(values, truth)
+        row = {"contender": contender.NAME, "effort": runs[0].effort, "seeds": SEEDS, "cpu_seconds": float(np.mean(seconds)),
+               "rays": rays, "mean_off": off, "mean_off_error": off_error}
+        for relative_to in ("value", "mean"):
+            row.update({f"{name}_of_{relative_to}": value for name, value in errors(values, truth, relative_to).items()})
+        rows.append(row)
+        print(f"{contender.NAME:<16} {contender.EFFORT} {row['effort']:>9}  {row['cpu_seconds']:9.4f} s  "
+              f"rms {100 * row['rms_of_value']:7.2f} % of the value, {100 * row['rms_of_mean']:7.2f} % of the mean",
+              file=sys.stderr, flush=True)
+        if spent + 2 * sum(seconds) > budget:
+            return rows
+        effort *= 2
+
+
+def describe(contender, rows, relative_to):
+    """What stands in the table about a contender."""
+    own = [row for row in rows if row["contender"] == contender.NAME]
+    seconds, found = ([row[key] for row in own] for key in ("cpu_seconds", f"rms_of_{relative_to}"))
+    times = {f"{100 * goal:g} %": time_to(goal, seconds, found) for goal in GOALS}
+    return {"name": contender.NAME, "label": contender.LABEL, "peer": contender.NAME in PEERS, "version": contender.version,
+            "effort": contender.EFFORT, "setup_cpu_seconds": contender.setup_cpu_seconds,
+            "seconds_to": {goal: {"cpu_seconds": one.seconds, "how": one.how} for goal, one in times.items()}}
+
+
+def compare(contenders):
+    """Adds to every time the ratio of the best peer's time to it; above 1 is faster."""
+    for goal in (f"{100 * goal:g} %" for goal in GOALS):
+        peers = [one["seconds_to"][goal]["cpu_seconds"] for one in contenders if one["peer"]]
+        best = min((seconds for seconds in peers if seconds), default=None)
+        for one in contenders:
+            own = one["seconds_to"][goal]
+            own["best_peer_over_this"] = best / own["cpu_seconds"] if best and own["cpu_seconds"] else None
+
+
+def write_csv(path, rows):
+    with open(path, "w", encoding="ascii", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, restval="", lineterminator="\n")
+        writer.writeheader()
+        writer.writerows({key: "" if value is None else value for key, value in row.items()} for row in rows)
+
+
+MARKS = {"interpolated": "", "extrapolated": "*", "at most": "<"}
+
+
+def cell(time):
+    """A time and the ratio to the best peer in few characters."""
+    if time["cpu_seconds"] is None:
+        return "-"
+    mark, ratio = MARKS[time["how"]], time["best_peer_over_this"]
+    seconds = f"<{time['cpu_seconds']:.3g} s" if mark == "<" else f"{time['cpu_seconds']:.3g} s{mark}"
+    return seconds if ratio is None else f"{seconds} ({ratio:.2g}x)"
+
+
+def text(result):
+    """The table for a person."""
+    goals = list(result["contenders"][0]["seconds_to"])
+    lines = [("processor time to", *goals, "set-up")]
+    for one in result["contenders"]:
+        setup = one["setup_cpu_seconds"]
+        lines.append((one["label"], *(cell(one["seconds_to"][goal]) for goal in goals), "" if setup is None else f"{setup:.2g} s"))
+    widths = [max(len(line[i]) for line in lines) for i in range(len(lines[0]))]
+    table = "\n".join("  " + "  ".join([line[0].ljust(widths[0]), *(c.rjust(w) for c, w in zip(line[1:], widths[1:]))]).rstrip()
+                      for line in lines)
+    reference, of = result["reference"], "each value" if result["relative_to"] == "value" else "the mean"
+    threads = "one thread" if result["threads"] == 1 else f"{result['threads']} threads"
+    return (f"{result['scene']}, {result['receivers']}: {result['lit']} receivers, {result['dark']} dark ones left out\n"
+            f"rms error relative to {of}; {threads}; reference: {reference['source']}, itself within "
+            f"{100 * reference['rms']:.2g} %\n{table}\n"
+            "  (2x): the best peer takes twice as long; *: extrapolated; <: the least effort is that good; "
+            f"-: not in {FARTHEST:g} times the longest run")

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""How an error falls with effort: errors of repeated estimates, and the time to a wanted error on the log-log curve."""
+from dataclasses import dataclass
+
+import numpy as np
+
+DARK = 1e-3  # of the median: what is darker (the inside of a box, the floor under it) has no relative error
+FARTHEST = 16.0  # times the longest run: beyond that nothing is extrapolated, it would be a guess
+
+
+@dataclass(frozen=True)
+class Truth:
+    """What estimates are held against, lx, and its own standard error."""
+
+    values: np.ndarray
+    standard_error: np.ndarray
+    source: str  # in words
+
+    @property
+    def lit(self):
+        return self.values > DARK * np.median(self.values[self.values > 0])
+
+    def scale(self, relative_to):
+        """What an error is divided by: the value itself, or the mean over the receivers."""
+        lit = self.values[self.lit]
+        return lit if relative_to == "value" else np.full(len(lit), lit.mean())
+
+    def noise(self, relative_to):
+        """The truth's own root mean square error."""
+        return float(np.sqrt(np.mean((self.standard_error[self.lit] / self.scale(relative_to)) ** 2)))
+
+
+def errors(estimates, truth, relative_to):
+    """rms, 95th percentile and largest error over receivers and repetitions, (n, receivers); relative.
+
+    The truth's own noise is taken out of the rms, as it is independent; out of the others it can not be.
+    """
+    deviation = (np.asarray(estimates)[:, truth.lit] - truth.values[truth.lit]) / truth.scale(relative_to)
+    square, noise = np.mean(deviation**2), truth.noise(relative_to) ** 2
+    deviation = np.abs(deviation)
+    return {"rms": float(np.sqrt(max(square - noise, 0.01 * square))), "p95": float(np.percentile(deviation, 95)),
+            "max": float(deviation.max())}
+
+
+def deviation_of_mean(estimates, truth):
+    """Mean of the estimates over receivers and repetitions less that of the truth, relative, and its standard error."""
+    means = np.asarray(estimates)[:, truth.lit].mean(axis=1) / truth.values[truth.lit].mean() - 1
+    return float(means.mean()), float(means.std(ddof=1) / np.sqrt(len(means)))
+
+
+@dataclass(frozen=True)
+class TimeTo:
+    """The time to an error; None where it is out of reach, with how it was found."""
+
+    seconds: float
+    how: str  # "interpolated", "extrapolated", "at most" (the least effort is better already), "out of reach"
+
+
+def time_to(goal, seconds, found):
+    """From times and errors of a ladder of efforts, by straight lines on the log-log curve.
+
+    The last crossing counts: an error that is low by chance at little effort is no merit.
+    """
+    t, e = np.log(seconds), np.log(found)
+    above = np.flatnonzero(e > np.log(goal))
+    if len(above) == 0:
+        return TimeTo(float(np.exp(t[0])), "at most")
+    last = above[-1]
+    if last + 1 < len(e):
+        share = (e[last] - np.log(goal)) / (e[last] - e[last + 1])
+        return TimeTo(float(np.exp(t[last] + share * (t[last + 1] - t[last]))), "interpolated")
+    tail = slice(-3, None)
+    slope = np.polyfit(t[tail], e[tail], 1)[0] if len(e) > 1 else 0.0
+    factor = (np.log(goal) - e[-1]) / slope if slope < 0 else np.inf
+    if factor > np.log(FARTHEST):
+        return TimeTo(None, "out of reach")
+    return TimeTo(float(np.exp(t[-1] + factor)), "extrapolated")

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A scene as plain arrays, for programs that know nothing of VTK."""
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from kalos import arrays
+from kalos.clearance import triangles
+
+BAND_WEIGHTS = {1: np.ones(1), 3: np.array([0.2126, 0.7152, 0.0722])}  # photometric share of a band; else equal
+ISOTROPIC, LAMBERTIAN = 0, 1
+
+
+def describe(reader, points, normals):
+    """Arrays of the scene that a vtkKalosSceneReader has read, about its centre, in metres, lumens and lm/m2.
+
+    triangles (n, 3, 3), reflectance and exitance (n, bands), lamp_flux, lamp_position, lamp_axis, lamp_u, lamp_v (full
+    sides, zero for a point), lamp_isotropic, points and normals of the receivers, band_weights.
+    """
+    surfaces, lamps = reader.GetOutputDataObject(0), reader.GetOutputDataObject(1)
+    faces = triangles(surfaces)
+    counts = [surfaces.GetCell(i).GetNumberOfPoints() - 2 for i in range(surfaces.GetNumberOfCells())]
+    reflectance = cell_bands(surfaces, arrays.REFLECTANCE)
+    exitance = cell_bands(surfaces, arrays.EXITANCE)
+    bands = max(reflectance.shape[1], exitance.shape[1])
+    centre = (faces.reshape(-1, 3).min(axis=0) + faces.reshape(-1, 3).max(axis=0)) / 2
+
+    def of_lamps(name, width):
+        return column(lamps.GetPointData(), name, lamps.GetNumberOfPoints(), width)
+
+    position = np.array([lamps.GetPoint(i) for i in range(lamps.GetNumberOfPoints())], float).reshape(-1, 3)
+    return {"triangles": faces - centre,
+            "reflectance": np.repeat(np.broadcast_to(reflectance, (len(reflectance), bands)), counts, axis=0),
+            "exitance": np.repeat(np.broadcast_to(exitance, (len(exitance), bands)), counts, axis=0),
+            "lamp_flux": of_lamps(arrays.LUMINOUS_FLUX, 1)[:, 0], "lamp_position": position - centre,
+            "lamp_axis": of_lamps(arrays.DIRECTION, 3),
+            "lamp_u": of_lamps(arrays.SIDE_U, 3), "lamp_v": of_lamps(arrays.SIDE_V, 3),
+            "lamp_isotropic": of_lamps(arrays.DISTRIBUTION, 1)[:, 0] == ISOTROPIC,
+            "points": points - centre, "normals": normals, "band_weights": BAND_WEIGHTS.get(bands, np.full(bands, 1 / bands))}
+
+
+def cell_bands(surfaces, name):
+    values = column(surfaces.GetCellData(), name, surfaces.GetNumberOfCells(), None)
+    return np.zeros((surfaces.GetNumberOfCells(), 1)) if values is None else values
+
+
+def column(data, name, count, width):
+    """A data array as (count, components); zeros, or None without a width, where there is none."""
+    array = data.GetArray(name)
+    if array is None:
+        return None if width is None else np.zeros((count, width))
+    return vtk_to_numpy(array).astype(float).reshape(count, -1)
+
+
+def beyond(reader):
+    """What a scene has that Lambertian programs can not model, in a few words; None where there is nothing."""
+    surfaces, lamps = reader.GetOutputDataObject(0), reader.GetOutputDataObject(1)
+    for name, words in ((arrays.SPECULAR, "glossy surfaces"), (arrays.MIRROR, "mirrors")):
+        if cell_bands(surfaces, name).any():
+            return words
+    if (column(lamps.GetPointData(), arrays.DISTRIBUTION, lamps.GetNumberOfPoints(), 1) > LAMBERTIAN).any():
+        return "luminaires with a candela table"
+    return None

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`kalos chart`: what it writes, what it says, what it refuses."""
+import csv
+import json
+import xml.etree.ElementTree as xml
+
+import numpy as np
+import pytest
+from conftest import one_line
+from matplotlib.image import imread
+
+from kalos.validate import DATA
+
+SHORT = ("--peers", "none", "--budget", 0.3, "--reference-trajectories", 6400)
+
+
+@pytest.fixture
+def chart(scene, command, tmp_path):
+    path = scene.save()
+
+    def run(*arguments, of=path):
+        status, out, error = command("chart", of, "--out", tmp_path / "out", *SHORT, *arguments)
+        return tmp_path / "out", status, out, error
+
+    return run
+
+
+def test_table_and_pictures(chart):
+    folder, status, out, error = chart("--receivers", "desk", "--methods", "local,compensated")
+    assert status == 0, error
+    rows = list(csv.DictReader((folder / "chart.csv").open()))
+    for name in ("local", "compensated"):
+        own = [row for row in rows if row["contender"] == name]
+        efforts = [int(row["effort"]) for row in own]
+        assert efforts == [efforts[0] * 2**k for k in range(len(own))] and len(own) >= 2
+        # Eight receivers and four seeds: an error of 32 values is known to an eighth; a hundredth would need a wonder.
+        assert float(own[-1]["rms_of_value"]) < float(own[0]["rms_of_value"])
+        assert all(float(row["rms_of_value"]) <= float(row["max_of_value"]) for row in own)
+        assert all(float(row["cpu_seconds"]) > 0 for row in own)
+    result = json.loads((folder / "chart.json").read_text())
+    assert result["receivers"] == "desk" and result["lit"] == 8 and 0 < result["reference"]["rms"] < 0.05
+    assert "processor time to" in out and "Kalos, compensated" in out and "compensated      trajectories" in error
+    picture = imread(folder / "chart.png")
+    np.testing.assert_array_equal(picture[[0, 0, -1, -1], [0, -1, 0, -1], :3], 1)
+    assert xml.parse(folder / "chart.svg").getroot().tag.endswith("svg")
+
+
+def test_closed_form_is_the_reference_where_there_is_one(chart):
+    folder, status, _, error = chart("--methods", "compensated", of=DATA / "furnace" / "furnace.json")
+    assert status == 0, error
+    result = json.loads((folder / "chart.json").read_text())
+    assert result["reference"] == {"source": "closed form", "file": None, "rms": 0.0}
+    # Unbiased: the mean over the receivers within six of its standard errors at every step.
+    assert all(abs(row["mean_off"]) < max(6 * row["mean_off_error"], 0.02) for row in result["steps"])
+
+
+@pytest.mark.parametrize("arguments, message", [
+    (("--receivers", "moon"), "--receivers: 'moon' is not in "),
+    (("--methods", "magic"), "--methods: 'magic' is not allowed, expected one of "),
+    (("--peers", "povray"), "--peers: 'povray' is not allowed, expected none, or some of mitsuba, radiance, radiance-cached; "),
+    (("--budget", "0"), "--budget: '0' is not allowed, expected a time > 0, in seconds; "),
+    (("--threads", "0"), "--threads: '0' is not allowed, expected a whole number from 1 to 1024; ")])
+def test_bad_options(chart, arguments, message):
+    folder, status, _, error = chart(*arguments)
+    assert status == 2
+    assert one_line(error).startswith(message)
+    assert not folder.exists()
+
+
+def test_a_scene_without_receivers(scene, chart):
+    del scene["receivers"]
+    path = scene.save()
+    _, status, _, error = chart()
+    assert status == 2
+    assert one_line(error) == f"{path}: receivers: there are none, expected a scene with receivers"
