@@ -22,6 +22,8 @@ def parser():
     add_goals(solve)
     solve.add_argument("--no-prepare", action="store_false", dest="prepare",
                        help="take the surfaces as they are: neither repair them nor look for singular edges")
+    solve.add_argument("--report", action="store_true",
+                       help="write report.html as well: plans with isolux lines, tables, luminaires, audit, in one page to print")
     solve.set_defaults(run=run_solve)
 
     study = commands.add_parser("study", help="solve a scene with every combination of settings and measure the errors")
@@ -108,7 +110,8 @@ def options_of(arguments):
 def run_solve(arguments):
     from kalos.solve import solve
 
-    solve(arguments.scene, arguments.out, options_of(arguments), say=print, preparing=arguments.prepare)
+    solve(arguments.scene, arguments.out, options_of(arguments), say=print, preparing=arguments.prepare,
+          report=arguments.report)
     return 0
 
 

@@ -18,12 +18,13 @@ from kalos.tables import write_csv
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 
-def solve(scene, out, options=Options(), say=lambda text: None, preparing=True):
+def solve(scene, out, options=Options(), say=lambda text: None, preparing=True, report=False):
     """Solves the scene file into the folder `out` and returns what stands in summary.json.
 
     Every receiver set gives NAME.csv, NAME.vtp and NAME.png, every camera NAME.exr and NAME.png. `say` gets the audit,
     the result table and the paths of the pictures. With `preparing` the surfaces are repaired first, and the audit says
-    where they meet at singular edges. Raises KalosError; the folder then holds nothing new.
+    where they meet at singular edges. `report` adds report.html, and NAME-isolux.vtp for flat receiver sets. Raises
+    KalosError; the folder then holds nothing new.
     """
     started = time.perf_counter()
     reader = read_scene(scene)
@@ -42,6 +43,10 @@ def solve(scene, out, options=Options(), say=lambda text: None, preparing=True):
         say("audit")
         say(figures.audit_text(result["audit"]))
         write(folder, receivers, images, result)
+        if report:
+            from kalos.report import write_report  # its pictures take seconds to import and to draw
+
+            write_report(folder, scene, reader, receivers, images, result)
         paths = [Path(out) / name for name in sorted(os.listdir(folder)) if name.endswith(".png")]
     say(f"result of {result['method']}, seed {result['seed']}")
     say(figures.result_text(result))
