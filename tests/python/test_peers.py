@@ -31,8 +31,8 @@ def estimates(name, case, effort):
     ("mitsuba", "CIE 171 5.2, point", 4, 1e-5), ("mitsuba", "CIE 171 5.3, area", 1024, 0),
     ("mitsuba", "CIE 171 5.6, reflection", 4096, 0),
     # Radiance's luminaires are bodies, its direct light of areas is a sum over patches of them.
-    ("radiance", "Sobolev's planes, 0.5 0.5", 256, 2e-3), ("radiance", "CIE 171 5.2, point", 4, 1e-3),
-    ("radiance-cached", "Sobolev's planes, 0.5 0.5", 32, 0.1)])
+    ("radiance", "Sobolev's planes, 0.5 0.5", 1024, 2e-3), ("radiance", "CIE 171 5.2, point", 4, 1e-3),
+    ("radiance", "CIE 171 5.3, area", 4, 3e-3), ("radiance-cached", "Sobolev's planes, 0.5 0.5", 32, 0.1)])
 def test_closed_form(peer, case, effort, bias):
     """Every receiver within Student's t of the truth, but for a chance of 1e-4, beyond a bias that is known."""
     values, truth = estimates(peer, CASE[case], effort)

@@ -3,7 +3,8 @@
 
 Radiances are handed over as luminances, so that irradiances come back in lux. Radiance's luminaires are bodies: a point
 becomes a disc or a sphere of RADIUS, a rectangle an `illum`, which nothing else sees. Surfaces that both reflect and emit
-it does not have. The effort is -ad; -u makes runs independent. Without the cache paths are ended by roulette (-lr 0)
+it does not have. The effort is -ad. Its random numbers start from the second that a run is started in (-u), so that no two
+runs may start in the same one, and none can be repeated. Without the cache paths are ended by roulette (-lr 0)
 below the weight (-lw) of half a ray, so that -ab 40 truncates next to nothing; with it -ab 8 does, as every bounce more
 multiplies the time.
 """
@@ -12,6 +13,7 @@ import resource
 import shutil
 import subprocess
 import tempfile
+import time
 from pathlib import Path
 
 import numpy as np
@@ -20,7 +22,7 @@ from kalos.peers import Absent, Run, clean_environment, interpreter
 
 RADIUS = 1e-3  # m
 LONGEST = 600  # processor seconds of a run before it is given up
-COMMON = ["-h", "-I", "-fdd", "-u+", "-dt", "0", "-dc", "1", "-ds", "0.1", "-dj", "0.9", "-st", "0"]
+COMMON = ["-h", "-I", "-fdd", "-u+", "-dt", "0", "-dc", "1", "-ds", "0.05", "-dj", "0", "-st", "0"]
 
 
 def locate():
@@ -94,7 +96,7 @@ class Radiance:
         np.hstack([scene["points"], scene["normals"]]).astype(float)[:1].tofile(self.path / "one")
         tree = self.measure([programs / "oconv", "scene.rad"], os.devnull, "scene.oct")
         self.start = self.measure([*self.rtrace, "-ab", "0", "scene.oct"], self.path / "one", "first")
-        self.setup_cpu_seconds = tree + self.start
+        self.setup_cpu_seconds, self.second = tree + self.start, 0
         version = subprocess.run([programs / "rtrace", "-version"], env=self.environment, capture_output=True, text=True,
                                  check=False)
         self.version = (version.stdout.split() or ["unknown"])[1 if version.stdout.startswith("RADIANCE") else 0]
@@ -111,7 +113,10 @@ class Radiance:
             raise Absent(f"Radiance stopped: {said or f'exit status {process.returncode}'}")
         return usage.ru_utime + usage.ru_stime
 
-    def solve(self, effort, seed):  # the seed is the time of day, by -u
+    def solve(self, effort, seed):  # the clock is the seed
+        while int(time.time()) == self.second:
+            time.sleep(0.02)
+        self.second = int(time.time())
         settings = [*self.SETTINGS, "-ad", str(effort), "-lw", f"{self.weight(effort):.3g}"]
         seconds = self.measure([*self.rtrace, *settings, "scene.oct"], self.path / "points", "values")
         values = np.fromfile(self.path / "values").reshape(-1, 3) @ self.weights
