@@ -161,7 +161,7 @@ def test_image_has_the_arrays_and_the_size():
     (dict(room=vtkPolyData(), lights=vtkPolyData()),
      "surfaces: no triangles and no luminaires, there is nothing to estimate"),
     (dict(lights=probe()), "luminaires: the point array LuminousFlux is missing"),
-    (dict(Method=99), "method: is not one of those available; compensated serves instead of gathered"),
+    (dict(Method=99), "method: is none of those that exist"),
     (dict(Trajectories=-1), "trajectories: must be 0 (automatic) or more"),
     (dict(RelativeError=1), "error: must lie in [0, 1)"),
     (dict(Seconds=-1), "time: must be 0 (no limit) or more seconds"),

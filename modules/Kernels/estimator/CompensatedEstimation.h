@@ -13,9 +13,9 @@
 #ifndef kalos_estimator_CompensatedEstimation_h
 #define kalos_estimator_CompensatedEstimation_h
 
+#include "estimator/CompensatedLight.h"
 #include "estimator/DirectPart.h"
 #include "estimator/Estimator.h"
-#include "estimator/Gathering.h"
 
 namespace kalos
 {
@@ -29,25 +29,9 @@ public:
   std::vector<AuditLine> audit() const override;
 
 private:
-  struct Round
-  {
-    long long first;
-    int count;
-    const std::vector<VertexPool>& pools;
-  };
-  double chooseRayShare(const Sensor& sensor) const;
-  int rays(std::size_t receiver, const Round& round) const;
-  void scoreVertices(std::size_t receiver, int replicate, const Round& round, Tally& tally) const;
-  void scoreGathered(std::size_t receiver, int replicate, const Round& round, Tally& tally) const;
-
-  const Scene& Lit;
-  Settings Wanted;
   Emission Source;
   DirectPart Direct;
-  Gathering Rays;
-  double Clearance;                 // m; receivers with no surface in front nearer than this need no gather rays
-  std::vector<double> RayShare;     // gather rays per trajectory, per receiver
-  std::vector<long long> RaysDone;  // of a replicate in earlier rounds, per receiver
+  CompensatedLight Light;
 };
 }  // namespace kalos
 

@@ -52,13 +52,6 @@ private:
   std::vector<Sensor> Sensors;
   std::vector<DirectLight::View> Views;
 };
-
-/// Receivers that one task serves, and the number of such tiles.
-constexpr std::size_t tileSize = 16;
-inline std::size_t tileCount(std::size_t receivers)
-{
-  return (receivers + tileSize - 1) / tileSize;
-}
 }  // namespace kalos
 
 #endif

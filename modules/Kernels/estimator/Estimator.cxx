@@ -5,6 +5,7 @@
 
 #include "estimator/CompensatedEstimation.h"
 #include "estimator/DirectSimulation.h"
+#include "estimator/GatheredEstimation.h"
 #include "estimator/LocalEstimation.h"
 
 namespace kalos
@@ -21,10 +22,12 @@ std::unique_ptr<Estimator> makeEstimator(const Scene& scene, const Receivers& re
       return std::make_unique<LocalEstimation>(scene, receivers, settings);
     case Method::Compensated:
       return std::make_unique<CompensatedEstimation>(scene, receivers, settings);
+    case Method::Gathered:
+      return std::make_unique<GatheredEstimation>(scene, receivers, settings);
     case Method::Direct:
       return std::make_unique<DirectSimulation>(scene, receivers, settings);
     default:
-      throw std::invalid_argument("method: is not one of those available; compensated serves instead of gathered");
+      throw std::invalid_argument("method: is none of those that exist");
   }
 }
 }  // namespace kalos

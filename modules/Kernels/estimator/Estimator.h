@@ -28,6 +28,9 @@ public:
   /// estimator/Trust.h.
   virtual bool trusts(std::size_t /*receiver*/, long long /*trajectories*/) const { return true; }
 
+  /// Independent replicates to run for `trajectories`, over all of them.
+  virtual int replicates(long long trajectories) const { return replicateCount(trajectories); }
+
   /// Whether Tally::correction() means something.
   virtual bool altersKernel() const { return false; }
 

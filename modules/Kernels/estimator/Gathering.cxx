@@ -116,7 +116,7 @@ Bands Gathering::gather(const Sensor& sensor, const GatherPool& pool, const Star
     if (!first && !survives())
       return sum;
     this->addVertexLight(next, pool, random, throughput, sum);
-    if (ray.mirror && this->Mirrored.any())
+    if ((ray.mirror || std::isinf(share)) && this->Mirrored.any())
     {
       // Vertices lit from a point by mirrors score elsewhere at full weight, but nowhere by a mirror again.
       const Bands images = this->Mirrored.illuminance(next);
@@ -130,6 +130,18 @@ Bands Gathering::gather(const Sensor& sensor, const GatherPool& pool, const Star
     share = later;
     seesEmission = true;
   }
+}
+
+Bands Gathering::luminaireLight(const Sensor& sensor, SampleStream& random) const
+{
+  thread_local DirectLight::View scratch;
+  Bands light = this->Luminaires.sample(sensor, random, scratch);
+  if (!this->Mirrored.any())
+    return light;
+  const Bands images = this->Mirrored.illuminance(sensor);
+  for (int b = 0; b < this->Lit.bands(); ++b)
+    light[b] += images[b];
+  return light;
 }
 
 void Gathering::addVertexLight(const Sensor& sensor, const GatherPool& pool, SampleStream& random,

@@ -26,7 +26,7 @@ public:
 
   struct Start
   {
-    double share;       ///< gather rays of the sensor per trajectory that scores at it; G* = density/share
+    double share;       ///< gather rays of the sensor per trajectory that scores at it; infinite: no vertex does
     bool seesEmission;  ///< add (1 - a) of the exitance where the first ray ends; false when it is known exactly
   };
 
@@ -36,6 +36,9 @@ public:
   /// `emission` too.
   Bands gather(const Sensor& sensor, const GatherPool& pool, const Start& start, SampleStream& random,
                Bands& emission) const;
+
+  /// All light that reaches a sensor from luminaires, straight or by one mirror, with one shadow ray for the former.
+  Bands luminaireLight(const Sensor& sensor, SampleStream& random) const;
 
 private:
   static constexpr int blockSize = 64;  // vertices scored where a gather ray ends

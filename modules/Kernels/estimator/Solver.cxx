@@ -129,9 +129,8 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   neighbourhood(scene, settings, 0);  // refuses delta and epsilon without meaning for every method alike
   const bool goal = settings.relativeError > 0 || settings.seconds > 0;
   const long long limit = settings.trajectories ? settings.trajectories : goal ? unlimited : defaultTrajectories;
-  const int replicates = replicateCount(goal ? 32 : limit);
-
   const std::unique_ptr<Estimator> estimator = makeEstimator(scene, receivers, settings);
+  const int replicates = estimator->replicates(goal ? 32 : limit);
   Workers workers(settings.threads, progress);
   Tally tally(receivers.points.size(), replicates, scene.bands());
   Schedule schedule(settings, tally, limit);

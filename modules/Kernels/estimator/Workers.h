@@ -14,6 +14,13 @@
 
 namespace kalos
 {
+/// Receivers that one task serves, and the number of such tiles.
+constexpr std::size_t tileSize = 16;
+inline std::size_t tileCount(std::size_t receivers)
+{
+  return (receivers + tileSize - 1) / tileSize;
+}
+
 class Workers
 {
 public:

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All light at sensors but that of luminaires, straight or by mirror images: by vertices and gather rays, unbiased and
+// bounded. Formula and sources: estimator/CompensatedEstimation.h.
+#ifndef kalos_estimator_CompensatedLight_h
+#define kalos_estimator_CompensatedLight_h
+
+#include "estimator/Gathering.h"
+#include "estimator/Settings.h"
+#include "estimator/Tally.h"
+#include "estimator/Workers.h"
+
+namespace kalos
+{
+/// The trajectories of one round, of every replicate, annotated by the pilot.
+struct Round
+{
+  long long first;
+  int count;
+  std::vector<VertexPool> pools;
+};
+
+class CompensatedLight
+{
+public:
+  CompensatedLight(const Scene& scene, const Emission& emission, const Settings& settings, bool shadows);
+
+  const Gathering& gathering() const { return this->Rays; }
+
+  /// Decides how much each sensor gathers. Returns false when aborted.
+  bool prepare(const std::vector<Sensor>& sensors, Workers& workers);
+
+  /// Traces trajectories [first, first + count); no pools when aborted.
+  Round trace(long long first, int count, int replicates, Workers& workers) const;
+
+  /// Adds a round's scores at sensor r; those of emitting meshes too, unless they are known exactly there.
+  void score(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
+             Tally& tally) const;
+
+  /// A round has been scored at all sensors.
+  void finish(const Round& round);
+
+  AuditLine audit() const;
+
+private:
+  double chooseRayShare(const Sensor& sensor) const;
+  int rays(std::size_t r, const Round& round) const;
+  void scoreVertices(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
+                     Tally& tally) const;
+  void scoreGathered(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
+                     Tally& tally) const;
+
+  const Scene& Lit;
+  const Emission& Source;
+  Settings Wanted;
+  bool Shadows;
+  Gathering Rays;
+  double Clearance;                 // m; sensors with no surface in front nearer than this need no gather rays
+  std::vector<double> RayShare;     // gather rays per trajectory, per sensor
+  std::vector<long long> RaysDone;  // of a replicate in earlier rounds, per sensor
+};
+}  // namespace kalos
+
+#endif
