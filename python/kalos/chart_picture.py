@@ -4,6 +4,8 @@
 Kalos's unbiased and consistent methods are drawn in strong colours, its biased and simple ones thin, peers dashed; every
 line carries its name at its end.
 """
+from pathlib import Path
+
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -15,7 +17,7 @@ SIZE = (11.0, 6.4)  # inches
 STRONG = {"gathered": "#0b5d8f", "compensated": "#1b9e77", "local": "#7a3e9d"}
 QUIET = ("#8c6d31", "#a55194", "#637939", "#7f7f7f", "#5b7f95")
 PEER = ("#c2571a", "#d4a017", "#8f2d2d")
-MOST = 100.0  # %, what is worse is cut off: it is no estimate
+MOST = 100.0  # %: what is worse is no estimate and is left out
 
 
 def draw_chart(folder, result):
@@ -47,7 +49,7 @@ def draw_chart(folder, result):
     own = "each receiver's own value" if of == "value" else "the mean over the receivers"
     accuracy = "" if reference["rms"] == 0 else f", itself within {100 * reference['rms']:.2g} %"
     threads = "one thread" if result["threads"] == 1 else f"{result['threads']} threads"
-    figure.text(0.07, 0.965, f"Error against time: {result['receivers']}, {result['lit']} receivers", fontsize=13.5, va="top")
+    figure.text(0.07, 0.965, f"{Path(result['scene']).stem}, {result['receivers']}: error against time, {result['lit']} receivers", fontsize=13.5, va="top")
     line = f"Errors in % of {own}; reference: {reference['source']}{accuracy}. {threads.capitalize()}, set-up apart."
     figure.text(0.07, 0.915, line, fontsize=9, color=GREY, va="top")
     for kind in ("png", "svg"):
@@ -68,7 +70,7 @@ def style(contenders):
 
 
 def points(result, name, along, error):
-    rows = [row for row in result["steps"] if row["contender"] == name and row[along] and row[error] > 0]
+    rows = [row for row in result["steps"] if row["contender"] == name and row[along] and 0 < row[error] <= MOST / 100]
     return np.array([row[along] for row in rows]), 100 * np.array([row[error] for row in rows])
 
 
@@ -90,7 +92,6 @@ def finish(axes, title, label, small=False):
     axes.set_xlabel(label, fontsize=8 if small else 10, labelpad=2)
     axes.tick_params(labelsize=7.5 if small else 9)
     low, high = axes.get_ylim()
-    high = min(high, MOST) if low < MOST else high
     ticks = [m * 10.0**k for k in range(-4, 7) for m in ((1, 2, 5) if not small or high / low < 100 else (1,))]
     axes.set_yticks([t for t in ticks if low <= t <= high])
     axes.set_ylim(low, high)
@@ -124,7 +125,7 @@ def ends(axes, result, styles):
         places[k] = min(places[k], limit) if excess > 0 else places[k]
     for place, (_, x, y, one) in zip(places, labels):
         line = styles[one["name"]]
-        lead = {"arrowstyle": "-", "color": line["color"], "linewidth": 0.5, "alpha": 0.6, "shrinkA": 2, "shrinkB": 3}
+        lead = {"arrowstyle": "-", "color": line["color"], "linewidth": 0.5, "alpha": 0.6, "shrinkA": 2, "shrinkB": 3, "relpos": (0, 0.5)}
         axes.annotate(one["label"].removeprefix("Kalos, "), (x, y), xytext=(1.03, (place - low) / (high - low)),
                       textcoords="axes fraction", fontsize=9, color=line["color"], va="center", annotation_clip=False,
                       weight="bold" if line["linewidth"] > 2 else "normal", arrowprops=lead)
