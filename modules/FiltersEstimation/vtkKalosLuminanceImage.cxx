@@ -16,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
 
 vtkStandardNewMacro(vtkKalosLuminanceImage);
 
@@ -59,9 +60,10 @@ kalos::Vec3 ToVec3(const double v[3])
   return {v[0], v[1], v[2]};
 }
 
-void AddPixels(vtkImageData* image, const char* name, const std::vector<double>& values, int components = 1)
+template <class Array, class Value>
+void AddPixels(vtkImageData* image, const char* name, const std::vector<Value>& values, int components = 1)
 {
-  vtkNew<vtkDoubleArray> array;
+  vtkNew<Array> array;
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(image->GetNumberOfPoints());
@@ -83,10 +85,11 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
     if (result.estimate.trajectories == 0)  // stopped before the first round was complete
       return 1;
     output->SetDimensions(camera.width, camera.height, 1);
-    AddPixels(output, vtkKalosArrayNames::Luminance, result.luminance);
-    AddPixels(output, vtkKalosArrayNames::LuminanceStandardError, result.standardError);
+    AddPixels<vtkDoubleArray>(output, vtkKalosArrayNames::Luminance, result.luminance);
+    AddPixels<vtkDoubleArray>(output, vtkKalosArrayNames::LuminanceStandardError, result.standardError);
+    AddPixels<vtkUnsignedCharArray>(output, vtkKalosArrayNames::IntervalTrusted, result.trusted);
     if (result.bands > 1)
-      AddPixels(output, vtkKalosArrayNames::LuminanceBands, result.luminanceBands, result.bands);
+      AddPixels<vtkDoubleArray>(output, vtkKalosArrayNames::LuminanceBands, result.luminanceBands, result.bands);
     output->GetPointData()->SetActiveScalars(vtkKalosArrayNames::Luminance);
     this->Describe(result.estimate, output->GetFieldData());
   }

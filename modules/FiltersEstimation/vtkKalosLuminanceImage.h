@@ -4,7 +4,8 @@
  * @brief Luminance seen from a camera, with a standard error per pixel.
  *
  * Inputs: port 0 surfaces, port 1 luminaires (optional), as for vtkKalosIlluminance. Output: vtkImageData of Resolution
- * with the point arrays Luminance (cd/m²), LuminanceStandardError (cd/m²) and, for n > 1 bands, LuminanceBands; row 0
+ * with the point arrays Luminance (cd/m²), LuminanceStandardError (cd/m²), IntervalTrusted (0 or 1: whether that
+ * error can be believed) and, for n > 1 bands, LuminanceBands; row 0
  * is at the bottom; 0 where nothing is seen; and the field data of vtkKalosEstimatorAlgorithm.
  *
  * The double local estimate (E2) at the point y that the centre of the pixel sees: L = M0/pi + rho E(y)/pi for a

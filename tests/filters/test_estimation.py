@@ -140,6 +140,8 @@ def test_image_has_the_arrays_and_the_size():
     assert output.GetDimensions() == (6, 4, 1)
     luminance = vtk_to_numpy(output.GetPointData().GetArray("Luminance"))
     assert luminance.min() > 0 and output.GetPointData().HasArray("LuminanceStandardError")
+    trusted = vtk_to_numpy(output.GetPointData().GetArray("IntervalTrusted"))
+    assert len(trusted) == len(luminance) and set(trusted) <= {0, 1} and trusted.mean() > 0.5
 
 
 @pytest.mark.parametrize("change, message", [

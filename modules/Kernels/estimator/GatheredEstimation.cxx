@@ -168,7 +168,11 @@ void GatheredEstimation::gather(std::size_t r, int replicate, const Round& round
       continue;
     if (sensor.brdf || !this->Lit.brdf(y.triangle).isLambertian() ||
         length(y.position - sensor.position) < this->Cache.cell() || !this->fromCache(y, replicate, random, e))
+    {
       value = unbiased(emission);
+      tally.noteScore(r, replicate,
+                      photometric(value, bands) * round.count / rays);  // what the cache holds has no tail
+    }
     else
     {
       const Material& material = this->Lit.material(y.triangle);
@@ -187,7 +191,6 @@ void GatheredEstimation::gather(std::size_t r, int replicate, const Round& round
     check.sum += photometric(value, bands);
     for (int b = 0; b < bands; ++b)
       sum[b] += value[b];
-    tally.noteScore(r, replicate, photometric(value, bands) * round.count / rays);
   }
   const double weight = static_cast<double>(round.count) / rays;
   for (int b = 0; b < bands; ++b)

@@ -77,6 +77,8 @@ public:
         luminance[b] = this->Weight[k][b] / pi * estimate.illuminanceBands[k * bands + b];
       for (int b = 0; b < bands; ++b)
         this->Image.luminanceBands[this->Pixel[k] * bands + b] += luminance[b];
+      if (!estimate.trusted[k])
+        this->Image.trusted[this->Pixel[k]] = 0;
       // Bands and mirror images share the trajectories: they fluctuate together.
       if (estimate.illuminance[k] > 0)
         this->Image.standardError[this->Pixel[k]] +=
@@ -154,6 +156,7 @@ LuminanceResult solveLuminance(const Scene& scene, const Camera& camera, const S
   image.luminance.assign(pixels, 0);
   image.standardError.assign(pixels, 0);
   image.luminanceBands.assign(pixels * image.bands, 0);
+  image.trusted.assign(pixels, 1);
 
   LinesOfSight lines(scene, camera, image);
   Settings effort = settings;

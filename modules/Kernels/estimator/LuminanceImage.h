@@ -25,6 +25,7 @@ struct LuminanceResult
   std::vector<double> luminance;       ///< cd/m2, photometric; row 0 at the bottom, 0 where nothing is seen
   std::vector<double> standardError;   ///< cd/m2
   std::vector<double> luminanceBands;  ///< cd/m2, bands values per pixel
+  std::vector<char> trusted;           ///< 1 where the standard error can be believed; rule in estimator/Trust.h
   Result estimate;                     ///< of the illuminance behind it: trajectories, times, audit, aborted
 };
 
