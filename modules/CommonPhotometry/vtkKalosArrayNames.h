@@ -57,6 +57,7 @@ constexpr const char* LuminanceBands = "LuminanceBands";                  ///< c
 // Field data of every result.
 constexpr const char* Audit = "Audit";                      ///< strings, 3 components: subject, choice, reason
 constexpr const char* Trajectories = "Trajectories";        ///< trajectories traced over all replicates
+constexpr const char* Rays = "Rays";                        ///< rays traced by the solve
 constexpr const char* SolveSeconds = "SolveSeconds";        ///< s, wall clock of the solve, set-up apart
 constexpr const char* SolveCpuSeconds = "SolveCpuSeconds";  ///< s, processor time of the solve
 constexpr const char* Seed = "Seed";                        ///< seed of the random numbers

@@ -54,6 +54,7 @@ void vtkKalosEstimatorAlgorithm::Describe(const kalos::Result& result, vtkFieldD
   }
   fieldData->AddArray(audit);
   AddValue<vtkIdTypeArray>(fieldData, vtkKalosArrayNames::Trajectories, static_cast<vtkIdType>(result.trajectories));
+  AddValue<vtkIdTypeArray>(fieldData, vtkKalosArrayNames::Rays, static_cast<vtkIdType>(result.rays));
   AddValue<vtkDoubleArray>(fieldData, vtkKalosArrayNames::SolveSeconds, result.seconds);
   AddValue<vtkDoubleArray>(fieldData, vtkKalosArrayNames::SolveCpuSeconds, result.cpuSeconds);
   AddValue<vtkIdTypeArray>(fieldData, vtkKalosArrayNames::Seed, this->Seed);

@@ -6,7 +6,7 @@
  * The method, its effort and its goals. Without a goal the filter runs Trajectories; with one, until the first of:
  * every value's 95 % half-width is within RelativeError of it, Seconds have passed, Trajectories are used up.
  * Every filter attaches to its output the field data arrays Audit (what was modelled and why), Trajectories,
- * SolveSeconds, SolveCpuSeconds and Seed. It reports progress and obeys AbortExecute: the output then holds the
+ * Rays, SolveSeconds, SolveCpuSeconds and Seed. It reports progress and obeys AbortExecute: the output then holds the
  * rounds that were complete, and the audit says so; it is empty when there was none. The same seed gives the same
  * numbers, bit by bit, for any number of threads.
  *

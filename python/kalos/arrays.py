@@ -30,5 +30,6 @@ INTENSITY = "Intensity"
 
 AUDIT = "Audit"
 TRAJECTORIES = "Trajectories"
+RAYS = "Rays"
 SOLVE_SECONDS = "SolveSeconds"
 SOLVE_CPU_SECONDS = "SolveCpuSeconds"

@@ -45,7 +45,8 @@ class Room(Subject):
         output = run(estimator, label, patience=float("inf") if label is None else 0)
         self.receivers = [from_dataset("receivers", output if one else output.GetBlock(i)) for i in self.chosen]
         return Estimate(self.joined("illuminance"), self.joined("standard_error"), None, trajectories(output),
-                        field_value(output, arrays.SOLVE_SECONDS), field_value(output, arrays.SOLVE_CPU_SECONDS))
+                        field_value(output, arrays.SOLVE_SECONDS), field_value(output, arrays.SOLVE_CPU_SECONDS),
+                        field_value(output, arrays.RAYS))
 
     def joined(self, name):
         return np.concatenate([getattr(one, name) for one in self.receivers])
@@ -71,7 +72,7 @@ class Method:
 
     def solve(self, effort, seed):
         found = self.room.solve(replace(self.options, trajectories=effort, seed=seed), None)
-        return Run(found.values, found.trajectories, found.cpu_seconds)
+        return Run(found.values, found.trajectories, found.cpu_seconds, found.rays)
 
     def close(self):
         pass

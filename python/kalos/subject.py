@@ -23,6 +23,7 @@ class Estimate:
     trajectories: int
     seconds: float
     cpu_seconds: float
+    rays: float = None
 
 
 class Subject:

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "Rooms.h"
 #include "sampling/Random.h"
 #include "sampling/Warp.h"
+#include "scene/RayCount.h"
 
 using namespace kalos;
 
@@ -42,6 +45,18 @@ TEST(RayScene, HitPointsAreExact)
   EXPECT_NEAR(hit.position.z, -2.5, 1e-15);
   EXPECT_NEAR(hit.normal.z, 1, 1e-15);
   EXPECT_TRUE(hit.front);
+}
+
+// Rays of every kind are counted, also those of threads that are no more.
+TEST(RayScene, RaysAreCounted)
+{
+  const Scene scene(rooms::litRoom(0.5));
+  const long long before = raysTraced();
+  scene.rays().intersect({0, 0, 0}, {0, 0, 1});
+  scene.rays().occluded({0, 0, 0}, {0, 0, 1});
+  SegmentPacket packet{};
+  std::thread([&] { scene.rays().occluded(packet, 5); }).join();
+  EXPECT_EQ(raysTraced() - before, 7);
 }
 
 TEST(RayScene, PacketsAgreeWithSingleSegments)

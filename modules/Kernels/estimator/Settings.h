@@ -74,6 +74,7 @@ struct Result
   std::vector<double> largestScoreShare;  ///< largest single score over the sum of all, [0, 1]
   std::vector<char> trusted;              ///< 1 where the standard error can be believed; rule in estimator/Trust.h
   long long trajectories = 0;
+  long long rays = 0;  ///< traced by the solve; those of other solves of the process at the same time are in it
   int replicates = 0;
   bool aborted = false;
   bool alteredKernel = false;  ///< the method alters the kernel, kernelCorrection means something

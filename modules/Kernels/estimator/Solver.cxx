@@ -8,6 +8,7 @@
 #include "estimator/Estimator.h"
 #include "estimator/KernelAlteration.h"
 #include "estimator/Trust.h"
+#include "scene/RayCount.h"
 
 namespace kalos
 {
@@ -136,6 +137,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   Schedule schedule(settings, tally, limit);
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpuStart = std::clock();
+  const long long raysBefore = raysTraced();
 
   Result result;
   long long done = 0;
@@ -156,6 +158,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   result.alteredKernel = estimator->altersKernel();
   result.seconds = secondsSince(start);
   result.cpuSeconds = static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC;
+  result.rays = raysTraced() - raysBefore;
   result.audit = estimator->audit();
   if (result.aborted)
     result.audit.push_back({"stopped", "after " + std::to_string(result.trajectories) + " trajectories",

@@ -12,6 +12,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "scene/RayCount.h"
+
 namespace kalos
 {
 namespace
@@ -144,6 +146,7 @@ RayScene::~RayScene() = default;
 
 Hit RayScene::intersect(const Vec3& origin, const Vec3& direction) const
 {
+  countRays(1);
   RTCRayHit query{};
   query.ray = makeRay(origin, direction, std::numeric_limits<float>::infinity());
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -161,6 +164,7 @@ Hit RayScene::intersect(const Vec3& origin, const Vec3& direction) const
 
 bool RayScene::occluded(const Vec3& a, const Vec3& b) const
 {
+  countRays(1);
   RTCRay ray = makeRay(a, b - a, 1);
   OcclusionArguments arguments;
   initialise(arguments);
@@ -174,6 +178,7 @@ bool RayScene::occluded(const Vec3& a, const Vec3& b) const
 
 std::uint32_t RayScene::occluded(const SegmentPacket& segments, int count) const
 {
+  countRays(count);
   alignas(64) int valid[SegmentPacket::width];
   alignas(64) RTCRay16 rays;
   std::memcpy(rays.org_x, segments.ox, sizeof segments.ox);
@@ -207,6 +212,7 @@ std::uint32_t RayScene::occluded(const SegmentPacket& segments, int count) const
 
 void RayScene::crossings(const Vec3& a, const Vec3& b, const std::function<void(std::uint32_t)>& visit) const
 {
+  countRays(1);
   RTCRayHit query{};
   query.ray = makeRay(a, b - a, 1);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
