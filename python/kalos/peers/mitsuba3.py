@@ -59,6 +59,7 @@ class Mitsuba:
         self.worker.stdin.write(json.dumps({"effort": int(effort), "seed": seed, "out": str(self.out)}) + "\n")
         self.worker.stdin.flush()
         said = self.answer()
+        self.setup_cpu_seconds = said["setup_cpu_seconds"]
         return Run(np.load(self.out) @ self.weights, said["effort"], said["cpu_seconds"], said["rays"])
 
     def close(self):
