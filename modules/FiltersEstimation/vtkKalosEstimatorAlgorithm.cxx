@@ -5,13 +5,46 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkKalosArrayNames.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
-kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings() const
+vtkCxxSetObjectMacro(vtkKalosEstimatorAlgorithm, Controller, vtkMultiProcessController);
+
+vtkKalosEstimatorAlgorithm::vtkKalosEstimatorAlgorithm()
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkKalosEstimatorAlgorithm::~vtkKalosEstimatorAlgorithm()
+{
+  this->SetController(nullptr);
+}
+
+int vtkKalosEstimatorAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
+                                                    vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* input = inputs[port]->GetInformationObject(i);
+      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      if (input->Has(Pipeline::WHOLE_EXTENT()))
+        input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+    }
+  return 1;
+}
+
+kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings(const kalos::Ranks& ranks) const
 {
   kalos::Settings settings;
+  settings.ranks = &ranks;
   settings.method = static_cast<kalos::Method>(this->Method);
   settings.trajectories = this->Trajectories;
   settings.relativeError = this->RelativeError;
@@ -71,4 +104,5 @@ void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Threads: " << this->Threads << "\n";
   os << indent << "Delta: " << this->Delta << "\n";
   os << indent << "Epsilon: " << this->Epsilon << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
 }

@@ -20,9 +20,11 @@
 #include "vtkKalosFiltersEstimationModule.h"  // for export macro
 
 class vtkFieldData;
+class vtkMultiProcessController;
 
 namespace kalos
 {
+class Ranks;
 struct Result;
 struct Settings;
 }  // namespace kalos
@@ -111,11 +113,25 @@ public:
   vtkGetMacro(Epsilon, double);
   ///@}
 
-protected:
-  vtkKalosEstimatorAlgorithm() = default;
-  ~vtkKalosEstimatorAlgorithm() override = default;
+  ///@{
+  /**
+   * The processes that share the work. Default: the global controller at construction; null or a single process works
+   * alone. With several, all of them must update the filter. Each asks its inputs for the whole, whatever piece it is
+   * asked for itself, works on its share of the replicates, and knows the result, bit by bit that of one process. A
+   * request for pieces is answered by piece 0, of an image by its extent; the others are empty.
+   */
+  virtual void SetController(vtkMultiProcessController*);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
 
-  kalos::Settings MakeSettings() const;
+protected:
+  vtkKalosEstimatorAlgorithm();
+  ~vtkKalosEstimatorAlgorithm() override;
+
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /// The settings, for a solve by `ranks`.
+  kalos::Settings MakeSettings(const kalos::Ranks& ranks) const;
 
   /// Reports progress to VTK and returns false when the user aborts.
   bool ReportProgress(double fraction);
@@ -131,6 +147,7 @@ protected:
   int Threads = 0;
   double Delta = 0;
   double Epsilon = 0;
+  vtkMultiProcessController* Controller = nullptr;
 
 private:
   vtkKalosEstimatorAlgorithm(const vtkKalosEstimatorAlgorithm&) = delete;

@@ -3,6 +3,7 @@
 
 #include <exception>
 
+#include "ControllerRanks.h"
 #include "ReceiverConversion.h"
 #include "SceneConversion.h"
 #include "estimator/Solver.h"
@@ -15,6 +16,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 vtkStandardNewMacro(vtkKalosIlluminance);
 
@@ -88,10 +90,18 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
     for (vtkDataSet* leaf : leaves)
       AppendReceivers(leaf, receivers);
 
+    const ControllerRanks ranks(this->Controller);
     const kalos::Result result =
-        kalos::solve(scene, receivers, this->MakeSettings(), [this](double f) { return this->ReportProgress(f); });
+        kalos::solve(scene, receivers, this->MakeSettings(ranks), [this](double f) { return this->ReportProgress(f); });
     if (result.trajectories == 0)  // stopped before the first round was complete
       return 1;
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    vtkInformation* asked = outputs->GetInformationObject(0);
+    if (asked->Has(Pipeline::UPDATE_PIECE_NUMBER()) && asked->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
+    {
+      output->Initialize();  // piece 0 holds everything
+      return 1;
+    }
     std::size_t next = 0;
     for (vtkDataSet* leaf : leaves)
     {

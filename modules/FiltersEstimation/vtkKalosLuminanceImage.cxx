@@ -3,6 +3,7 @@
 
 #include <exception>
 
+#include "ControllerRanks.h"
 #include "SceneConversion.h"
 #include "estimator/LuminanceImage.h"
 #include "vtkDoubleArray.h"
@@ -80,7 +81,8 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
     const kalos::Scene scene(MakeSceneDescription(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1])));
     const kalos::Camera camera{ToVec3(this->Position), ToVec3(this->Target), ToVec3(this->Up),
                                this->FieldOfView,      this->Resolution[0],  this->Resolution[1]};
-    const kalos::LuminanceResult result = kalos::solveLuminance(scene, camera, this->MakeSettings(),
+    const ControllerRanks ranks(this->Controller);
+    const kalos::LuminanceResult result = kalos::solveLuminance(scene, camera, this->MakeSettings(ranks),
                                                                 [this](double f) { return this->ReportProgress(f); });
     if (result.estimate.trajectories == 0)  // stopped before the first round was complete
       return 1;
@@ -92,6 +94,10 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
       AddPixels<vtkDoubleArray>(output, vtkKalosArrayNames::LuminanceBands, result.luminanceBands, result.bands);
     output->GetPointData()->SetActiveScalars(vtkKalosArrayNames::Luminance);
     this->Describe(result.estimate, output->GetFieldData());
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    vtkInformation* asked = outputs->GetInformationObject(0);
+    if (asked->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) && asked->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+      output->Crop(asked->Get(Pipeline::UPDATE_EXTENT()));
   }
   catch (const std::exception& error)
   {

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command: options in, one line per error out. Everything it does is a function elsewhere in the package."""
 import sys
+import traceback
 
-from kalos import __version__
+from kalos import __version__, ranks
 from kalos.arguments import COUNT, PEERS, RELATIVE, SEED, THREADS, TIME, Parser, length, methods, peers, quantity, sweep
 from kalos.errors import FAILED, KalosError
 from kalos.estimator import DEFAULT_METHOD, METHODS, REFERENCE_TRAJECTORIES, Options
@@ -108,10 +109,13 @@ def options_of(arguments):
 
 
 def run_solve(arguments):
-    from kalos.solve import solve
+    from kalos.solve import solve, take_part
 
-    solve(arguments.scene, arguments.out, options_of(arguments), say=print, preparing=arguments.prepare,
-          report=arguments.report)
+    if ranks.join().rank:
+        take_part(arguments.scene, options_of(arguments), arguments.prepare)
+    else:
+        solve(arguments.scene, arguments.out, options_of(arguments), say=print, preparing=arguments.prepare,
+              report=arguments.report)
     return 0
 
 
@@ -158,16 +162,20 @@ def main(arguments=None):
     """Runs the command; returns its exit status: 0 done, 1 failed, 2 bad input."""
     arguments = parser().parse_args(arguments)
     try:
+        if ranks.several() and arguments.run is not run_solve:
+            raise KalosError(f"{arguments.command}: runs in one process; expected no mpiexec, or kalos solve")
         return arguments.run(arguments)
     except KalosError as error:
-        print(f"kalos: error: {error}", file=sys.stderr)
-        return error.status
+        return ranks.current.complain(error, error.status)
     except KeyboardInterrupt:
-        print("kalos: error: stopped before the end; nothing was written", file=sys.stderr)
-        return FAILED
+        return ranks.current.complain("stopped before the end; nothing was written", FAILED)
     except MemoryError:
-        print("kalos: error: out of memory; nothing was written", file=sys.stderr)
-        return FAILED
+        return ranks.current.complain("out of memory; nothing was written", FAILED)
     except BrokenPipeError:
         sys.stderr.close()
         return FAILED
+    except Exception:
+        if ranks.current.size == 1:
+            raise
+        traceback.print_exc()  # the other ranks would wait for this one
+        return ranks.current.complain("failed; the lines above say where", FAILED)

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the user sees while VTK works, and the keys and signals that stop it."""
 import contextlib
+import io
 import signal
 import sys
 import threading
 import time
 
+from kalos import ranks
 from kalos.errors import FAILED, KalosError, update
 
 WIDTH = 30
@@ -19,7 +21,7 @@ class ProgressBar:
 
     def __init__(self, label, stream=None, patience=0):
         self.label = label
-        self.stream = stream or sys.stderr
+        self.stream = stream or (sys.stderr if ranks.current.rank == 0 else io.StringIO())
         self.terminal = self.stream.isatty()
         self.shown = -1
         self.started = time.monotonic()

@@ -27,9 +27,7 @@ def solve(scene, out, options=Options(), say=lambda text: None, preparing=True, 
     KalosError; the folder then holds nothing new.
     """
     started = time.perf_counter()
-    reader = read_scene(scene)
-    check_results(reader, scene)
-    prepared = prepare_scene(scene, reader) if preparing else UNPREPARED
+    reader, prepared = set_up(scene, preparing)
     setup = time.perf_counter() - started
     with staged(out) as folder:
         with named_options():
@@ -55,6 +53,19 @@ def solve(scene, out, options=Options(), say=lambda text: None, preparing=True, 
     for path in paths:
         say(f"  {path}")
     return result
+
+
+def take_part(scene, options=Options(), preparing=True):
+    """The share of a solve() of every rank but the first, whose are the words and the files."""
+    reader, prepared = set_up(scene, preparing)
+    with named_options():
+        estimate(reader, options, prepared)
+
+
+def set_up(scene, preparing):
+    reader = read_scene(scene)
+    check_results(reader, scene)
+    return reader, prepare_scene(scene, reader) if preparing else UNPREPARED
 
 
 def read_scene(path):

@@ -28,15 +28,15 @@ bool CompensatedEstimation::addRound(long long first, int count, Workers& worker
     return false;
 
   // A task owns its tile and replicate, so that no sum depends on the threads.
-  const bool scored = workers.forEach(tileCount(tally.receivers()) * replicates, [&](std::size_t task) {
-    const int replicate = static_cast<int>(task % replicates);
-    const std::size_t tile = task / replicates, end = std::min(tally.receivers(), (tile + 1) * tileSize);
-    for (std::size_t r = tile * tileSize; r < end; ++r)
-    {
-      this->Light.score(this->Direct.sensors()[r], r, replicate, round, this->Direct.exactMeshes(r), tally);
-      this->Direct.score(r, replicate, first, count, tally);
-    }
-  });
+  const bool scored =
+      workers.forEachReplicate(replicates, tileCount(tally.receivers()), [&](int replicate, std::size_t tile) {
+        const std::size_t end = std::min(tally.receivers(), (tile + 1) * tileSize);
+        for (std::size_t r = tile * tileSize; r < end; ++r)
+        {
+          this->Light.score(this->Direct.sensors()[r], r, replicate, round, this->Direct.exactMeshes(r), tally);
+          this->Direct.score(r, replicate, first, count, tally);
+        }
+      });
   this->Light.finish(round);
   return scored;
 }

@@ -125,10 +125,11 @@ void DirectPart::score(std::size_t r, int replicate, long long first, int count,
 
 bool DirectPart::scoreAll(long long first, int count, Workers& workers, Tally& tally) const
 {
-  return workers.forEach(tally.receivers(), [&](std::size_t r) {
-    for (int replicate = 0; replicate < tally.replicates(); ++replicate)
-      this->score(r, replicate, first, count, tally);
-  });
+  return workers.forEachReplicate(
+      tally.replicates(), tileCount(tally.receivers()), [&](int replicate, std::size_t tile) {
+        for (std::size_t r = tile * tileSize; r < std::min(tally.receivers(), (tile + 1) * tileSize); ++r)
+          this->score(r, replicate, first, count, tally);
+      });
 }
 
 AuditLine DirectPart::auditOpenings() const

@@ -44,8 +44,7 @@ bool DirectSimulation::addRound(long long first, int count, Workers& workers, Ta
 {
   if (!(this->Source.totalFlux() > 0))
     return true;  // a dark scene
-  return workers.forEach(static_cast<std::size_t>(tally.replicates()), [&](std::size_t p) {
-    const int replicate = static_cast<int>(p);
+  return workers.forEachReplicate(tally.replicates(), 1, [&](int replicate, std::size_t) {
     std::vector<std::uint32_t> met;
     walkTrajectories(this->Lit, this->Source, this->Wanted.walks(), replicate, first, count,
                      [&](const Segment& segment) { this->score(segment, replicate, met, tally); });

@@ -24,6 +24,9 @@ public:
   /// one. Returns false when aborted, which leaves the tally without meaning.
   virtual bool addRound(long long first, int count, Workers& workers, Tally& tally) = 0;
 
+  /// Fetches from every rank what audit() needs of the replicates that it owns.
+  virtual void exchange(const Ranks&) {}
+
   /// Whether `trajectories` (over all replicates) suffice to see what surrounds a receiver; rule (2) of
   /// estimator/Trust.h.
   virtual bool trusts(std::size_t /*receiver*/, long long /*trajectories*/) const { return true; }

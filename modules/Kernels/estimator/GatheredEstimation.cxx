@@ -96,9 +96,8 @@ bool GatheredEstimation::layCache(Workers& workers)
 
 bool GatheredEstimation::fillCache(const Round& round, Workers& workers)
 {
-  const bool filled = workers.forEach(tileCount(this->CacheSensors.size()) * this->Replicates, [&](std::size_t task) {
-    const int replicate = static_cast<int>(task % this->Replicates);
-    const std::size_t tile = task / this->Replicates;
+  const std::size_t tiles = tileCount(this->CacheSensors.size());
+  const bool filled = workers.forEachReplicate(this->Replicates, tiles, [&](int replicate, std::size_t tile) {
     const std::size_t end = std::min(this->CacheSensors.size(), (tile + 1) * tileSize);
     for (std::size_t i = tile * tileSize; i < end; ++i)
       this->Light.score(this->CacheSensors[i], i, replicate, round, false, *this->Cached);
@@ -117,14 +116,33 @@ bool GatheredEstimation::addRound(long long first, int count, Workers& workers, 
   const Round round = this->Light.trace(first, count, this->Replicates, workers);
   if (round.pools.empty() || !this->fillCache(round, workers))
     return false;
-  return workers.forEach(tileCount(tally.receivers()) * this->Replicates, [&](std::size_t task) {
-    const int replicate = static_cast<int>(task % this->Replicates);
-    const std::size_t tile = task / this->Replicates, end = std::min(tally.receivers(), (tile + 1) * tileSize);
+  const std::size_t tiles = tileCount(tally.receivers());
+  return workers.forEachReplicate(this->Replicates, tiles, [&](int replicate, std::size_t tile) {
+    const std::size_t end = std::min(tally.receivers(), (tile + 1) * tileSize);
     for (std::size_t r = tile * tileSize; r < end; ++r)
     {
-      this->gather(r, replicate, round, tally, this->Checks[task]);
+      this->gather(r, replicate, round, tally, this->Checks[tile * this->Replicates + replicate]);
       this->Direct.score(r, replicate, first, count, tally);
     }
+  });
+}
+
+void GatheredEstimation::exchange(const Ranks& ranks)
+{
+  ranks.exchange(this->Replicates, [this](int first, int last, const auto& visit) {
+    for (std::size_t tile = 0; tile * this->Replicates < this->Checks.size(); ++tile)
+      for (int replicate = first; replicate < last; ++replicate)
+      {
+        Check& check = this->Checks[tile * this->Replicates + replicate];
+        visit(check.excess);
+        visit(check.sum);
+        for (long long* count : {&check.rays, &check.cached})
+        {
+          auto value = static_cast<double>(*count);
+          visit(value);
+          *count = static_cast<long long>(value);
+        }
+      }
   });
 }
 

@@ -29,6 +29,7 @@ public:
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
   int replicates(long long trajectories) const override;
+  void exchange(const Ranks& ranks) override;
   std::vector<AuditLine> audit() const override;
 
 private:

@@ -54,9 +54,8 @@ bool LocalEstimation::addRound(long long first, int count, Workers& workers, Tal
     return false;
 
   // A task owns its tile and replicate, so that no sum depends on the threads.
-  return workers.forEach(tileCount(tally.receivers()) * replicates, [&](std::size_t task) {
-    const int replicate = static_cast<int>(task % replicates);
-    const std::size_t tile = task / replicates, end = std::min(tally.receivers(), (tile + 1) * tileSize);
+  return workers.forEachReplicate(replicates, tileCount(tally.receivers()), [&](int replicate, std::size_t tile) {
+    const std::size_t end = std::min(tally.receivers(), (tile + 1) * tileSize);
     for (std::size_t r = tile * tileSize; r < end; ++r)
     {
       double* total = tally.total(r, replicate);

@@ -25,6 +25,8 @@ enum class Method
   Direct
 };
 
+class Ranks;
+
 struct Settings
 {
   Method method = Method::Compensated;
@@ -37,6 +39,8 @@ struct Settings
   double delta = 0;                     ///< m, distance below which the sphere methods average; <= 0: automatic
   bool gatherEverywhere = false;        ///< `compensated` sends gather rays where nothing is near, too; moves no mean
   double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; 0: automatic
+
+  const Ranks* ranks = nullptr;  ///< processes that share the solve; null: this one alone
 
   Walks walks() const { return {this->seed, this->sampling}; }
 };

@@ -130,9 +130,12 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   neighbourhood(scene, settings, 0);  // refuses delta and epsilon without meaning for every method alike
   const bool goal = settings.relativeError > 0 || settings.seconds > 0;
   const long long limit = settings.trajectories ? settings.trajectories : goal ? unlimited : defaultTrajectories;
-  const std::unique_ptr<Estimator> estimator = makeEstimator(scene, receivers, settings);
+  const Ranks alone;
+  const Ranks& ranks = settings.ranks ? *settings.ranks : alone;
+  std::unique_ptr<Estimator> estimator;
+  ranks.together([&] { return (estimator = makeEstimator(scene, receivers, settings)) != nullptr; });
   const int replicates = estimator->replicates(goal ? 32 : limit);
-  Workers workers(settings.threads, progress);
+  Workers workers(settings.threads, progress, ranks);
   Tally tally(receivers.points.size(), replicates, scene.bands());
   Schedule schedule(settings, tally, limit);
   const auto start = std::chrono::steady_clock::now();
@@ -141,25 +144,32 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
 
   Result result;
   long long done = 0;
-  bool running = estimator->prepare(workers, tally);
+  bool running = ranks.together([&] { return estimator->prepare(workers, tally); });
   while (running)
   {
-    const int count = schedule.next(done, secondsSince(start), tally);
+    const int count = schedule.next(done, ranks.agree(secondsSince(start)), tally);
     if (count <= 0)
       break;
     workers.setSpan(schedule.fraction(),
                     schedule.hasGoal() ? schedule.fraction()
                                        : static_cast<double>(done + count) * replicates / static_cast<double>(limit));
-    running = estimator->addRound(done, count, workers, tally);
+    running = ranks.together([&] { return estimator->addRound(done, count, workers, tally); });
     if (running)
+    {
+      tally.exchange(ranks);
+      estimator->exchange(ranks);
       conclude(tally, done += count, *estimator, result);
+    }
   }
   result.aborted = !running;
   result.alteredKernel = estimator->altersKernel();
   result.seconds = secondsSince(start);
-  result.cpuSeconds = static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC;
-  result.rays = raysTraced() - raysBefore;
+  result.cpuSeconds = ranks.sum(static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC);
+  result.rays = static_cast<decltype(result.rays)>(ranks.sum(static_cast<double>(raysTraced() - raysBefore)));
   result.audit = estimator->audit();
+  if (ranks.size() > 1)
+    result.audit.push_back({"ranks", std::to_string(ranks.size()) + " processes",
+                            std::to_string(replicates) + " replicates are shared out, scene and receivers replicated"});
   if (result.aborted)
     result.audit.push_back({"stopped", "after " + std::to_string(result.trajectories) + " trajectories",
                             "from outside, before the goal; the round that was under way is left out"});

@@ -10,7 +10,8 @@ namespace kalos
 {
 /// Illuminance at the receivers. Without a goal (error or seconds) it runs settings.trajectories; with one, until the
 /// first of: every receiver's 95 % half-width is within the relative error, the time is up, the trajectories are used.
-/// Same scene, receivers and settings (without `seconds`): bitwise the same result for any number of threads.
+/// Same scene, receivers and settings (without `seconds`): bitwise the same result for any number of threads and ranks.
+/// With settings.ranks every rank calls this, and all get the result; cpuSeconds is that of all of them.
 /// When `progress` stops it, the result holds the rounds that were complete; without any, its arrays are empty.
 /// Throws std::invalid_argument, naming the setting or the receiver, for input without meaning.
 Result solve(const Scene& scene, const Receivers& receivers, const Settings& settings, const Progress& progress = {});

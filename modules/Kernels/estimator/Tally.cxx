@@ -17,6 +17,23 @@ Tally::Tally(std::size_t receivers, int replicates, int bands)
 {
 }
 
+void Tally::exchange(const Ranks& ranks)
+{
+  ranks.exchange(this->Replicates, [this](int first, int last, const auto& visit) {
+    for (std::size_t r = 0; r < this->Receivers; ++r)
+      for (std::size_t i = r * this->Replicates + first; i < r * this->Replicates + last; ++i)
+      {
+        visit(this->Correction[i]);
+        visit(this->Largest[i]);
+        for (std::size_t b = i * this->BandCount; b < (i + 1) * this->BandCount; ++b)
+        {
+          visit(this->Total[b]);
+          visit(this->DirectPart[b]);
+        }
+      }
+  });
+}
+
 MeanAndError Tally::summary(std::size_t receiver, long long n) const
 {
   const double fixed = photometric(&this->Fixed[receiver * this->BandCount], this->BandCount);

@@ -3,6 +3,7 @@
 #ifndef kalos_estimator_Tally_h
 #define kalos_estimator_Tally_h
 
+#include "estimator/Ranks.h"
 #include "estimator/Settings.h"
 #include "photometry/Bands.h"
 #include "statistics/Replicates.h"
@@ -36,6 +37,9 @@ public:
     double& largest = this->Largest[receiver * this->Replicates + replicate];
     largest = std::max(largest, score);
   }
+
+  /// Fetches from every rank the sums of the replicates that it owns.
+  void exchange(const Ranks& ranks);
 
   /// Photometric mean and standard error over the replicates, n trajectories each.
   MeanAndError summary(std::size_t receiver, long long n) const;

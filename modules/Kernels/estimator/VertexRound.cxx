@@ -9,16 +9,17 @@ std::vector<VertexPool> traceRound(const Scene& scene, const Emission& emission,
   constexpr int chunkSize = 512;  // trajectories traced by one task
   const int chunksEach = (count + chunkSize - 1) / chunkSize;
   std::vector<VertexPool> chunks(static_cast<std::size_t>(replicates) * chunksEach);
-  const bool traced = workers.forEach(chunks.size(), [&](std::size_t i) {
-    const int replicate = static_cast<int>(i / chunksEach), begin = static_cast<int>(i % chunksEach) * chunkSize;
-    chunks[i] = traceTrajectories(scene, emission, walks, replicate, first + begin, std::min(chunkSize, count - begin));
+  const bool traced = workers.forEachReplicate(replicates, chunksEach, [&](int replicate, std::size_t chunk) {
+    const int begin = static_cast<int>(chunk) * chunkSize;
+    chunks[replicate * chunksEach + chunk] =
+        traceTrajectories(scene, emission, walks, replicate, first + begin, std::min(chunkSize, count - begin));
   });
   if (!traced)
     return {};
 
   // Join the chunks of each replicate in their order, so that no sum depends on the threads.
   std::vector<VertexPool> pools(replicates, VertexPool(scene.bands()));
-  const bool joined = workers.forEach(pools.size(), [&](std::size_t p) {
+  const bool joined = workers.forEachReplicate(replicates, 1, [&](int p, std::size_t) {
     for (int c = 0; c < chunksEach; ++c)
       pools[p].append(chunks[p * chunksEach + c]);
   });

@@ -8,7 +8,8 @@
 
 namespace kalos
 {
-/// Traces trajectories [first, first + count) of every replicate. Empty when aborted.
+/// Traces trajectories [first, first + count) of every replicate that this rank owns; the pools of the others stay
+/// empty. No pools when aborted.
 std::vector<VertexPool> traceRound(const Scene& scene, const Emission& emission, const Walks& walks, int replicates,
                                    long long first, int count, Workers& workers);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Threads, progress and abort of one solve.
+// Threads, progress, abort and share of the replicates of one solve.
 #ifndef kalos_estimator_Workers_h
 #define kalos_estimator_Workers_h
 
@@ -10,6 +10,7 @@
 #include <chrono>
 #include <thread>
 
+#include "estimator/Ranks.h"
 #include "estimator/Settings.h"
 
 namespace kalos
@@ -25,8 +26,8 @@ class Workers
 {
 public:
   /// threads 0: all processors. `progress` is called on the constructing thread only, at most 20 times a second.
-  Workers(int threads, Progress progress)
-      : Arena(threads > 0 ? threads : tbb::task_arena::automatic), Report(std::move(progress))
+  Workers(int threads, Progress progress, const Ranks& ranks)
+      : Arena(threads > 0 ? threads : tbb::task_arena::automatic), Report(std::move(progress)), Sharing(ranks)
   {
   }
 
@@ -52,6 +53,16 @@ public:
           tbb::simple_partitioner());
     });
     return !this->Aborted;
+  }
+
+  /// Runs body(replicate, part) for every part in [0, parts) of those of `replicates` that this rank owns.
+  template <class Body>
+  bool forEachReplicate(int replicates, std::size_t parts, const Body& body)
+  {
+    const int first = this->Sharing.firstReplicate(this->Sharing.rank(), replicates);
+    const int count = this->Sharing.firstReplicate(this->Sharing.rank() + 1, replicates) - first;
+    return this->forEach(parts * static_cast<std::size_t>(count),
+                         [&](std::size_t i) { body(first + static_cast<int>(i % count), i / count); });
   }
 
   /// The next forEach() covers this part of the whole work.
@@ -80,6 +91,7 @@ private:
 
   tbb::task_arena Arena;
   Progress Report;
+  const Ranks& Sharing;
   std::thread::id Caller = std::this_thread::get_id();
   std::chrono::steady_clock::time_point LastTold{};
   std::atomic<bool> Aborted{false};
