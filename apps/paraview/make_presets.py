@@ -13,7 +13,7 @@ import numpy as np
 
 from kalos.colours import false_colours
 
-POINTS = 65  # of 256: what ParaView interpolates between them is within one step of 8 bits
+POINTS = 65  # of 256: what ParaView interpolates between them is within two steps of 8 bits
 SCALES = {"Kalos illuminance (lx)": np.linspace(0, 1000, POINTS),
           "Kalos luminance (cd/m2, logarithmic)": np.geomspace(1, 10000, POINTS)}
 
