@@ -13,7 +13,7 @@ import numpy as np
 
 from kalos.colours import false_colours
 
-POINTS = 65  # of 256: what ParaView interpolates between them is within two steps of 8 bits
+POINTS = 256  # as many as the table has
 SCALES = {"Kalos illuminance (lx)": np.linspace(0, 1000, POINTS),
           "Kalos luminance (cd/m2, logarithmic)": np.geomspace(1, 10000, POINTS)}
 
@@ -28,4 +28,4 @@ if __name__ == "__main__":
     if len(sys.argv) != 2:
         sys.exit("usage: make_presets.py FILE.json")
     with open(sys.argv[1], "w", encoding="ascii") as file:
-        file.write(json.dumps(presets(), indent=1) + "\n")
+        file.write("[\n" + ",\n".join(map(json.dumps, presets())) + "\n]\n")

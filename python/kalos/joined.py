@@ -40,6 +40,9 @@ def joined(name, pieces, kind, defaults):
     given = [piece.GetAttributes(kind) for piece in pieces]
     known = {key: [data.GetArray(key) for data in given] for key in defaults}
     widths = {key: max((a.GetNumberOfComponents() for a in found if a), default=0) for key, found in known.items()}
+    for i, found in enumerate(known.get(arrays.DISTRIBUTION, ())):
+        if found and found.GetNumberOfTuples() and found.GetRange()[1] > max(DISTRIBUTIONS.values()):
+            raise InputError(f"{name}: item {i} refers to a candela table of its own, expected such a piece alone, not in a list")
     append = vtkAppendPolyData()
     for i, piece in enumerate(pieces):
         copy = vtkPolyData()

@@ -66,7 +66,7 @@ class Session(unittest.TestCase):
                                    points[:, 0] if quantity == "Illuminance" else np.log(points[:, 0]), points[:, k])
                          for k in (1, 2, 3)]
                 index = round(255 * share)
-                self.assertLess(np.abs(np.subtract(shown, table.GetTableValue(index)[:3])).max(), 2 / 255, (name, share))
+                self.assertLess(np.abs(np.subtract(shown, table.GetTableValue(index)[:3])).max(), 1e-5, (name, share))
 
 
 unittest.main(argv=sys.argv[:1])

@@ -25,6 +25,13 @@ def with_nan():
     return points
 
 
+def from_file():
+    """A luminaire that refers to a candela table, as the reader of photometric files makes it."""
+    lamp = kalos.luminaire((1, 1, 1), 5)
+    lamp.GetPointData().GetArray("Distribution").SetValue(0, 2)
+    return lamp
+
+
 NORMALS = np.tile(UP, (3, 1))
 
 
@@ -45,6 +52,8 @@ NORMALS = np.tile(UP, (3, 1))
     (lambda: estimate(normals=(0, 0, 0)), "normals: has shape (3,) and length 0 at [], expected unit vectors"),
     (lambda: estimate(surfaces=5), "surfaces: item 0 is of int, expected vtkPolyData or a list of them"),
     (lambda: estimate(luminaires=[None]), "luminaires: item 0 is of NoneType, expected vtkPolyData or a list of them"),
+    (lambda: estimate(luminaires=[kalos.luminaire((1, 1, 1), 5), from_file()]),
+     "luminaires: item 1 refers to a candela table of its own, expected such a piece alone, not in a list"),
     (lambda: estimate(surfaces=[mesh(), kalos.luminaire((1, 1, 1), 5)]),
      "surfaces: item 1 has no array Reflectance, expected what kalos.surface() or kalos.luminaire() makes"),
     (lambda: estimate(surfaces=[mesh(reflectance=[[0.1, 0.2, 0.3]]), mesh(reflectance=[[0.1, 0.2]])]),
