@@ -9,6 +9,7 @@ function (kalos_add_pytest)
       COMMAND "${Python3_EXECUTABLE}" -m pytest -q -p no:cacheprovider "${CMAKE_CURRENT_SOURCE_DIR}/${file}")
     set_tests_properties("${name}" PROPERTIES
       TIMEOUT 300
-      ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/python;PYTHONDONTWRITEBYTECODE=1;KALOS=${CMAKE_BINARY_DIR}/bin/kalos")
+      ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1;KALOS=${CMAKE_BINARY_DIR}/bin/kalos"
+      ENVIRONMENT_MODIFICATION "PYTHONPATH=path_list_prepend:${CMAKE_BINARY_DIR}/python")
   endforeach ()
 endfunction ()
