@@ -7,6 +7,7 @@
 #include "ReceiverConversion.h"
 #include "SceneConversion.h"
 #include "estimator/Solver.h"
+#include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
@@ -15,7 +16,6 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 vtkStandardNewMacro(vtkKalosIlluminance);
@@ -77,22 +77,38 @@ vtkSmartPointer<vtkDataObject> CopyWithOwnLeaves(vtkDataObject* input)
 }
 }  // namespace
 
+vtkSmartPointer<vtkDataObject> vtkKalosIlluminance::Dress(vtkDataObject* receivers, const kalos::Result& result) const
+{
+  vtkSmartPointer<vtkDataObject> dressed = CopyWithOwnLeaves(receivers);
+  std::size_t next = 0;
+  for (vtkDataSet* leaf : LeavesOf(dressed))
+  {
+    next = AttachResults(result, next, leaf);
+    this->Describe(result, leaf->GetFieldData());
+  }
+  this->Describe(result, dressed->GetFieldData());
+  return dressed;
+}
+
 int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs);
   try
   {
     vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
-    const vtkSmartPointer<vtkDataObject> solved = CopyWithOwnLeaves(input);
     const kalos::Scene scene(MakeSceneDescription(vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(inputs[2])));
     kalos::Receivers receivers;
-    const std::vector<vtkDataSet*> leaves = LeavesOf(solved);
-    for (vtkDataSet* leaf : leaves)
+    for (vtkDataSet* leaf : LeavesOf(input))
       AppendReceivers(leaf, receivers);
 
+    kalos::Snapshot show;
+    if (this->IntermediateResults)
+      show = [&](const kalos::Result& soFar) {
+        this->InvokeEvent(vtkCommand::UpdateDataEvent, this->Dress(input, soFar).Get());
+      };
     const ControllerRanks ranks(this->Controller);
-    const kalos::Result result =
-        kalos::solve(scene, receivers, this->MakeSettings(ranks), [this](double f) { return this->ReportProgress(f); });
+    const kalos::Result result = kalos::solve(
+        scene, receivers, this->MakeSettings(ranks), [this](double f) { return this->ReportProgress(f); }, show);
     if (result.trajectories == 0)  // stopped before the first round was complete
       return 1;
     using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -102,14 +118,7 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
       output->Initialize();  // piece 0 holds everything
       return 1;
     }
-    std::size_t next = 0;
-    for (vtkDataSet* leaf : leaves)
-    {
-      next = AttachResults(result, next, leaf);
-      this->Describe(result, leaf->GetFieldData());
-    }
-    this->Describe(result, solved->GetFieldData());
-    output->ShallowCopy(solved);
+    output->ShallowCopy(this->Dress(input, result));
   }
   catch (const std::exception& error)
   {
@@ -118,4 +127,10 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
     return 0;
   }
   return 1;
+}
+
+void vtkKalosIlluminance::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "IntermediateResults: " << (this->IntermediateResults ? "on" : "off") << "\n";
 }

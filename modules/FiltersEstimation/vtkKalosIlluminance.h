@@ -25,12 +25,25 @@
 #define vtkKalosIlluminance_h
 
 #include "vtkKalosEstimatorAlgorithm.h"
+#include "vtkSmartPointer.h"  // for Dress
 
 class VTKKALOSFILTERSESTIMATION_EXPORT vtkKalosIlluminance : public vtkKalosEstimatorAlgorithm
 {
 public:
   static vtkKalosIlluminance* New();
   vtkTypeMacro(vtkKalosIlluminance, vtkKalosEstimatorAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Show the result while it is refined: after each round of trajectories vtkCommand::UpdateDataEvent is invoked with
+   * the result so far, a data object of the output's type that the observer may keep. Rounds then begin with one
+   * trajectory a replicate and grow by half of what is done. Default off.
+   */
+  vtkSetMacro(IntermediateResults, bool);
+  vtkGetMacro(IntermediateResults, bool);
+  vtkBooleanMacro(IntermediateResults, bool);
+  ///@}
 
 protected:
   vtkKalosIlluminance();
@@ -40,7 +53,12 @@ protected:
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  bool IntermediateResults = false;
+
 private:
+  /// A copy of the receivers that carries a result.
+  vtkSmartPointer<vtkDataObject> Dress(vtkDataObject* receivers, const kalos::Result& result) const;
+
   vtkKalosIlluminance(const vtkKalosIlluminance&) = delete;
   void operator=(const vtkKalosIlluminance&) = delete;
 };

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.vtkConstants import VTK_OBJECT
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
 
@@ -125,6 +126,24 @@ def test_progress_rises_and_abort_stops():
     audit = output.GetFieldData().GetAbstractArray("Audit")
     assert "stopped" in [audit.GetValue(i) for i in range(0, audit.GetNumberOfValues(), 3)]
     assert output.GetPointData().HasArray("Illuminance"), "the rounds that were complete"
+
+
+def test_intermediate_results_lead_to_the_last_one():
+    shown = []
+
+    def keep(caller, event, result):
+        data = result.GetPointData()
+        shown.append((result.GetFieldData().GetArray("Trajectories").GetValue(0),
+                      vtk_to_numpy(data.GetArray("Illuminance")).copy()))
+
+    keep.CallDataType = VTK_OBJECT
+    filter = estimator(Trajectories=3200, IntermediateResults=True)
+    filter.AddObserver("UpdateDataEvent", keep)
+    assert update_error(filter) is None
+    trajectories = [count for count, _ in shown]
+    assert trajectories[0] == 32 and trajectories[-1] == 3200 and len(trajectories) > 8
+    result = vtk_to_numpy(filter.GetOutputDataObject(0).GetPointData().GetArray("Illuminance"))
+    assert (shown[-1][1] == result).all() and not (shown[0][1] == result).any()
 
 
 def test_image_has_the_arrays_and_the_size():

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "Rooms.h"
 #include "estimator/LuminanceImage.h"
 #include "estimator/Solver.h"
@@ -177,6 +179,62 @@ TEST(Solver, StopsWhenTheTimeIsUp)
   const Result result = solve(scene, floorPoints(), s);
   EXPECT_GT(result.seconds, 0.2);
   EXPECT_LT(result.seconds, 5);
+}
+
+// What is shown on the way is an estimate too: |t| < 4.6 (Sidak for 12 points) from 32 replicates on, at every round.
+TEST(Solver, ShowsEveryRound)
+{
+  const Scene scene(rooms::litRoom(0.6));
+  const Settings s = quick(Method::Compensated, 6400);
+  const Result alone = solve(scene, floorPoints(), s);
+  std::vector<long long> shown;
+  Result last;
+  const Result result = solve(scene, floorPoints(), s, {}, [&](const Result& soFar) {
+    shown.push_back(soFar.trajectories);
+    last = soFar;
+    for (std::size_t i = 0; i < soFar.illuminance.size(); ++i)
+      EXPECT_LT(std::abs(soFar.illuminance[i] - alone.illuminance[i]),
+                4.6 * std::hypot(soFar.standardError[i], alone.standardError[i]))
+          << soFar.trajectories << " trajectories, point " << i;
+  });
+  EXPECT_EQ(shown.front(), 32);
+  for (std::size_t i = 1; i < shown.size(); ++i)
+    EXPECT_LE(shown[i], std::max(shown[i - 1] + 32, 3 * shown[i - 1] / 2));
+  EXPECT_EQ(shown.back(), 6400);
+  EXPECT_EQ(last.illuminance, result.illuminance);
+  EXPECT_EQ(last.trusted, result.trusted);
+}
+
+// A few trajectories that happen to agree are no reason to stop.
+TEST(Solver, JudgesItsGoalNotBeforeTheFirstFullRound)
+{
+  Settings s = quick(Method::Compensated, 0);
+  s.relativeError = 0.9;
+  const Result result = solve(Scene(rooms::litRoom(0.6)), floorPoints(), s, {}, [](const Result&) {});
+  EXPECT_GE(result.trajectories, 64 * 32);
+}
+
+TEST(Solver, PausesAreNoPartOfItsTime)
+{
+  const Scene scene(rooms::furnace(0.9, 100));
+  Settings s;
+  s.seconds = 0.3;
+  int calls = 0;
+  auto wait = [] { std::this_thread::sleep_for(std::chrono::milliseconds(400)); };
+  const Result result = solve(
+      scene, floorPoints(), s,
+      [&](double) {
+        if (++calls == 2)
+          wait();
+        return true;
+      },
+      [&](const Result& soFar) {
+        if (soFar.trajectories == 32)
+          wait();
+      });
+  EXPECT_GE(calls, 2);
+  EXPECT_GT(result.seconds, 0.1) << "the pauses of 0.8 s are not counted as work";
+  EXPECT_LT(result.seconds, 0.7);
 }
 
 TEST(Solver, AbortsWhenAskedToWithTheRoundsThatWereComplete)

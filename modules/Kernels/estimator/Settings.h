@@ -87,7 +87,11 @@ struct Result
 };
 
 /// Called now and then on the thread that called solve(), with a fraction in [0,1]; returns false to abort.
+/// While it runs, the solve rests: a callback that waits is a pause.
 using Progress = std::function<bool(double)>;
+
+/// Called after each round, on the thread that called solve(), with the result so far.
+using Snapshot = std::function<void(const Result&)>;
 }  // namespace kalos
 
 #endif

@@ -43,8 +43,9 @@ void check(const Receivers& receivers, const Settings& s)
 class Schedule
 {
 public:
-  Schedule(const Settings& settings, const Tally& tally, long long limit)
+  Schedule(const Settings& settings, const Tally& tally, long long limit, bool shown)
       : Wanted(settings),
+        Shown(shown),
         Limit((limit + tally.replicates() - 1) / tally.replicates()),
         LargestRound(
             static_cast<int>(std::clamp(largestWork / (static_cast<double>(tally.receivers()) * tally.replicates() + 1),
@@ -59,12 +60,11 @@ public:
   {
     long long target = this->Limit;
     this->Fraction = static_cast<double>(done) / static_cast<double>(this->Limit);
-    if (this->hasGoal() && done == 0)
-      target = firstRound;
-    else if (this->hasGoal())
+    if (this->hasGoal())
+      target = std::max<long long>(firstRound, 4 * done);
+    if (this->hasGoal() && done > 0)
     {
-      target = 4 * done;
-      if (this->Wanted.relativeError > 0)
+      if (this->Wanted.relativeError > 0 && done >= firstRound)
       {
         // The variance falls as 1/n: aim a little beyond the goal, so that one more round mostly suffices.
         const double ratio = this->largestRelativeHalfWidth(done, tally) / this->Wanted.relativeError;
@@ -82,6 +82,8 @@ public:
         target = std::min(target, done + static_cast<long long>(0.9 * left / each) + 1);
       }
     }
+    if (this->Shown)
+      target = std::min(target, done + std::max(1LL, done / 2));
     return static_cast<int>(std::min<long long>(this->LargestRound, std::min(target, this->Limit) - done));
   }
 
@@ -101,6 +103,7 @@ private:
   }
 
   Settings Wanted;
+  bool Shown;
   long long Limit;
   int LargestRound;
   double Quantile, Fraction = 0;
@@ -124,7 +127,8 @@ double secondsSince(std::chrono::steady_clock::time_point start)
 }
 }  // namespace
 
-Result solve(const Scene& scene, const Receivers& receivers, const Settings& settings, const Progress& progress)
+Result solve(const Scene& scene, const Receivers& receivers, const Settings& settings, const Progress& progress,
+             const Snapshot& snapshot)
 {
   check(receivers, settings);
   neighbourhood(scene, settings, 0);  // refuses delta and epsilon without meaning for every method alike
@@ -137,17 +141,24 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   const int replicates = estimator->replicates(goal ? 32 : limit);
   Workers workers(settings.threads, progress, ranks);
   Tally tally(receivers.points.size(), replicates, scene.bands());
-  Schedule schedule(settings, tally, limit);
+  Schedule schedule(settings, tally, limit, static_cast<bool>(snapshot));
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpuStart = std::clock();
   const long long raysBefore = raysTraced();
 
   Result result;
+  result.alteredKernel = estimator->altersKernel();
+  double showing = 0;  // s that snapshots took
+  auto clock = [&] {
+    result.seconds = secondsSince(start) - workers.secondsTelling() - showing;
+    result.cpuSeconds = static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC;
+  };
   long long done = 0;
   bool running = ranks.together([&] { return estimator->prepare(workers, tally); });
   while (running)
   {
-    const int count = schedule.next(done, ranks.agree(secondsSince(start)), tally);
+    clock();
+    const int count = schedule.next(done, ranks.agree(result.seconds), tally);
     if (count <= 0)
       break;
     workers.setSpan(schedule.fraction(),
@@ -160,11 +171,17 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
       estimator->exchange(ranks);
       conclude(tally, done += count, *estimator, result);
     }
+    if (running && snapshot)
+    {
+      clock();
+      const auto shown = std::chrono::steady_clock::now();
+      snapshot(result);
+      showing += secondsSince(shown);
+    }
   }
   result.aborted = !running;
-  result.alteredKernel = estimator->altersKernel();
-  result.seconds = secondsSince(start);
-  result.cpuSeconds = ranks.sum(static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC);
+  clock();
+  result.cpuSeconds = ranks.sum(result.cpuSeconds);
   result.rays = static_cast<decltype(result.rays)>(ranks.sum(static_cast<double>(raysTraced() - raysBefore)));
   result.audit = estimator->audit();
   if (ranks.size() > 1)

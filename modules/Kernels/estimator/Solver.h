@@ -13,8 +13,10 @@ namespace kalos
 /// Same scene, receivers and settings (without `seconds`): bitwise the same result for any number of threads and ranks.
 /// With settings.ranks every rank calls this, and all get the result; cpuSeconds is that of all of them.
 /// When `progress` stops it, the result holds the rounds that were complete; without any, its arrays are empty.
+/// With a snapshot to fill, rounds begin with one trajectory of every replicate and grow by half of what is done.
 /// Throws std::invalid_argument, naming the setting or the receiver, for input without meaning.
-Result solve(const Scene& scene, const Receivers& receivers, const Settings& settings, const Progress& progress = {});
+Result solve(const Scene& scene, const Receivers& receivers, const Settings& settings, const Progress& progress = {},
+             const Snapshot& snapshot = {});
 }  // namespace kalos
 
 #endif

@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <mutex>
 #include <thread>
 
 #include "estimator/Ranks.h"
@@ -44,6 +45,9 @@ public:
           [&](const tbb::blocked_range<std::size_t>& range) {
             for (std::size_t i = range.begin(); i != range.end(); ++i)
             {
+              {
+                const std::lock_guard<std::mutex> open(this->Gate);  // closed while progress is told
+              }
               if (this->Aborted)
                 return;
               body(i);
@@ -74,6 +78,9 @@ public:
 
   bool aborted() const { return this->Aborted; }
 
+  /// Time that progress took, s: pauses are no part of a solve.
+  double secondsTelling() const { return this->Telling; }
+
 private:
   void tell(double fraction)
   {
@@ -85,8 +92,10 @@ private:
     this->LastTold = now;
     this->Told =
         std::max(this->Told, this->From + fraction * (this->To - this->From));  // goals move, progress does not
+    const std::lock_guard<std::mutex> closed(this->Gate);
     if (!this->Report(this->Told))
       this->Aborted = true;
+    this->Telling += std::chrono::duration<double>(std::chrono::steady_clock::now() - now).count();
   }
 
   tbb::task_arena Arena;
@@ -95,7 +104,8 @@ private:
   std::thread::id Caller = std::this_thread::get_id();
   std::chrono::steady_clock::time_point LastTold{};
   std::atomic<bool> Aborted{false};
-  double From = 0, To = 0, Told = 0;  // what comes before the first span is no progress
+  std::mutex Gate;
+  double Telling = 0, From = 0, To = 0, Told = 0;  // what comes before the first span is no progress
 };
 }  // namespace kalos
 
