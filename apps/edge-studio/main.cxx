@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// edge-studio [SCENE]: without a scene, the Cornell room.
+#include <QApplication>
+#include <QCommandLineParser>
+
+#include "Application.h"
+#include "MainWindow.h"
+
+int main(int argc, char* argv[])
+{
+  studio::prepareApplication();
+  QApplication application(argc, argv);
+  studio::dressApplication();
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      QApplication::translate("main", "Illuminance and luminance of a scene, and what each method does at its edges"));
+  parser.addHelpOption();
+  parser.addPositionalArgument(QStringLiteral("scene"),
+                               QApplication::translate("main", "Kalos scene file (json) or mesh (obj, ply, stl, vtp)"),
+                               QStringLiteral("[scene]"));
+  parser.process(application);
+  const QStringList scenes = parser.positionalArguments();
+
+  studio::MainWindow window;
+  window.show();
+  if (scenes.isEmpty() || !window.openFile(scenes.front()))
+    window.openFile(studio::demoScene());
+  return QApplication::exec();
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene around a mesh file that brings no light of its own.
+#ifndef studio_BareMesh_h
+#define studio_BareMesh_h
+
+#include <QString>
+
+namespace studio
+{
+bool isBareMesh(const QString& path);
+
+/// Text of a scene file with this mesh as a white furnace; every `usemtl` name of an OBJ gets the same material.
+QByteArray furnaceAround(const QString& meshFile);
+}  // namespace studio
+
+#endif

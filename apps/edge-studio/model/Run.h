@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One run of vtkKalosIlluminance in a thread of its own, which refines its result and can rest, go on and be stopped.
+#ifndef studio_Run_h
+#define studio_Run_h
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "Result.h"
+#include "SceneDocument.h"
+
+namespace studio
+{
+class Run : public QObject
+{
+  Q_OBJECT
+
+public:
+  enum class State
+  {
+    Running,
+    Paused,
+    Finished,   ///< its goal is reached, result() is complete
+    Cancelled,  ///< result() is the last round's, or null
+    Failed      ///< problem() says why
+  };
+
+  /// Copies what it needs of the scene and the receivers, and starts.
+  Run(const ScenePtr& scene, vtkDataObject* receivers, const MethodSettings& settings, QObject* parent = nullptr);
+  ~Run() override;  ///< cancels, and waits for the thread
+
+  const MethodSettings& settings() const { return this->Wanted; }
+  State state() const { return this->Now; }
+  bool active() const { return this->Now == State::Running || this->Now == State::Paused; }
+  ResultPtr result() const { return this->Latest; }
+  const QString& problem() const { return this->Problem; }
+  double progress() const { return this->Done; }  ///< [0, 1]
+  double elapsed() const;                         ///< s, pauses apart
+
+public slots:
+  void pause();
+  void resume();
+  void cancel();
+
+signals:
+  /// result() is newer; rounds that come faster than the receiver's event loop are left out.
+  void refined();
+  void progressed();
+  void ended();  ///< state() is one of the last three
+
+private:
+  enum class Stage
+  {
+    Preview,
+    Round,
+    Last
+  };
+  void work();
+  QString solve(vtkDataObject* receivers, const MethodSettings& settings,
+                const std::function<void(vtkDataObject*)>& round);
+  bool restIfAsked();
+  void publish(vtkDataObject* data, Stage stage);
+  void setState(State state);
+
+  MethodSettings Wanted;
+  vtkSmartPointer<vtkDataObject> Receivers;
+  vtkSmartPointer<vtkPolyData> Surfaces, Luminaires;
+
+  // Of the thread that owns this object.
+  State Now = State::Running;
+  ResultPtr Latest;
+  QString Problem;
+  double Done = 0;
+  QElapsedTimer Clock;
+  double ElapsedBefore = 0;
+
+  // Shared with the worker.
+  std::atomic<bool> Stop{false};
+  std::mutex Lock;  // guards Resting and Pending
+  std::condition_variable Wake;
+  bool Resting = false;
+  ResultPtr Pending;
+  std::thread Worker;
+};
+}  // namespace studio
+
+#endif

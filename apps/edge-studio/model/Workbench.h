@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the studio has on its bench: a scene, settings that can be undone, a run, and the results so far.
+#ifndef studio_Workbench_h
+#define studio_Workbench_h
+
+#include <QObject>
+#include <memory>
+
+#include "Display.h"
+#include "Run.h"
+#include "UndoHistory.h"
+
+namespace studio
+{
+class Workbench : public QObject
+{
+  Q_OBJECT
+
+public:
+  using QObject::QObject;
+
+  /// Throws Problem; then the scene before stays. Results of the scene before are dropped.
+  void open(const QString& path);
+  const ScenePtr& scene() const { return this->Scene; }
+
+  const MethodSettings& settings() const { return this->History.current(); }
+  void setSettings(const MethodSettings& settings);
+  bool canUndo() const { return this->History.canUndo(); }
+  bool canRedo() const { return this->History.canRedo(); }
+
+  const studio::Display& display() const { return this->Shown; }
+  void setDisplay(const studio::Display& display);
+
+  /// Receiver sets that the next run computes.
+  const QStringList& chosenSets() const { return this->Chosen; }
+  void setChosenSets(const QStringList& names);
+
+  Run* activeRun() const { return this->Current.get(); }  ///< the last one started, also when it has ended; null before
+  bool isRunning() const { return this->Current && this->Current->active(); }
+
+  /// Every run that left something, in the order of their starts; the last grows while it runs.
+  const QVector<ResultPtr>& results() const { return this->Results; }
+  int shownIndex() const { return this->ShownIndex; }
+  ResultPtr shown() const { return this->Results.value(this->ShownIndex); }
+  void show(int index);
+  void addResult(const ResultPtr& result);
+
+public slots:
+  void undo();
+  void redo();
+  void run();  ///< stops a run under way
+  void cancel();
+
+signals:
+  void sceneChanged();
+  void settingsChanged();
+  void displayChanged();
+  void resultsChanged();  ///< a result is new, newer, gone, or another one is shown
+  void runChanged();      ///< it began, rests, goes on, progresses, ended
+  void problem(const QString& message);
+
+private:
+  void takeResult();
+
+  ScenePtr Scene;
+  UndoHistory<MethodSettings> History;
+  studio::Display Shown;
+  QStringList Chosen;
+  std::unique_ptr<Run> Current;
+  bool CurrentHasResult = false;  // the last of Results is Current's
+  QVector<ResultPtr> Results;
+  int ShownIndex = -1;
+};
+}  // namespace studio
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Application.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+#include <QSurfaceFormat>
+
+#include "vtkObject.h"
+
+namespace studio
+{
+void prepareApplication()
+{
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QCoreApplication::setOrganizationName(QStringLiteral("Kalos"));
+  QCoreApplication::setApplicationName(QStringLiteral("Edge Studio"));
+  vtkObject::GlobalWarningDisplayOn();  // error events are not sent without
+}
+
+void dressApplication()
+{
+  // Neutral greys, so that nothing around the picture tints it.
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QPalette palette(QColor(0xf1, 0xf1, 0xf2));
+  palette.setColor(QPalette::Base, Qt::white);
+  palette.setColor(QPalette::AlternateBase, QColor(0xf7, 0xf7, 0xf8));
+  palette.setColor(QPalette::Highlight, QColor(0x2f, 0x6f, 0xb5));
+  palette.setColor(QPalette::HighlightedText, Qt::white);
+  QApplication::setPalette(palette);
+}
+
+QString demoScene()
+{
+  return QStringLiteral(KALOS_DEMO_SCENE);
+}
+}  // namespace studio

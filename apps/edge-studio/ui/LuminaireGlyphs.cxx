@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LuminaireGlyphs.h"
+
+#include <array>
+#include <cmath>
+
+#include "vtkCellArray.h"
+#include "vtkKalosArrayNames.h"
+#include "vtkKalosLuminaireSource.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+namespace studio
+{
+namespace
+{
+using Point = std::array<double, 3>;
+
+struct Frame
+{
+  Point origin, u, v, axis;
+  Point at(double x, double y, double z) const
+  {
+    Point p;
+    for (int i = 0; i < 3; ++i)
+      p[i] = this->origin[i] + x * this->u[i] + y * this->v[i] + z * this->axis[i];
+    return p;
+  }
+};
+
+class Lines
+{
+public:
+  explicit Lines(vtkPolyData* data) : Data(data)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    data->SetPoints(points);
+    vtkNew<vtkCellArray> lines;
+    data->SetLines(lines);
+  }
+  void add(const std::vector<Point>& points)
+  {
+    this->Data->GetLines()->InsertNextCell(static_cast<int>(points.size()));
+    for (const Point& p : points)
+      this->Data->GetLines()->InsertCellPoint(this->Data->GetPoints()->InsertNextPoint(p.data()));
+  }
+
+private:
+  vtkPolyData* Data;
+};
+
+/// Meridians and parallels of a solid of revolution r(theta) about the axis.
+template <class Radius>
+void addSolid(const Frame& frame, double end, const Radius& radius, Lines& lines)
+{
+  constexpr int steps = 24, meridians = 12, parallels = 6;
+  auto at = [&](double theta, double phi) {
+    const double r = radius(theta);
+    return frame.at(r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), r * std::cos(theta));
+  };
+  for (int m = 0; m < meridians; ++m)
+  {
+    std::vector<Point> line;
+    for (int i = 0; i <= steps; ++i)
+      line.push_back(at(end * i / steps, 2 * vtkMath::Pi() * m / meridians));
+    lines.add(line);
+  }
+  for (int k = 1; k < parallels; ++k)
+  {
+    std::vector<Point> line;
+    for (int i = 0; i <= 2 * steps; ++i)
+      line.push_back(at(end * k / parallels, vtkMath::Pi() * i / steps));
+    lines.add(line);
+  }
+}
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> luminaireGlyphs(vtkPolyData* luminaires, double size)
+{
+  namespace Names = vtkKalosArrayNames;
+  auto glyphs = vtkSmartPointer<vtkPolyData>::New();
+  Lines lines(glyphs);
+  vtkPointData* data = luminaires->GetPointData();
+  vtkDataArray *directions = data->GetArray(Names::Direction), *distributions = data->GetArray(Names::Distribution),
+               *sidesU = data->GetArray(Names::SideU), *sidesV = data->GetArray(Names::SideV);
+  for (vtkIdType i = 0; i < luminaires->GetNumberOfPoints(); ++i)
+  {
+    Frame frame{};
+    luminaires->GetPoint(i, frame.origin.data());
+    frame.axis = {0, 0, -1};
+    if (directions)
+      directions->GetTuple(i, frame.axis.data());
+    vtkMath::Normalize(frame.axis.data());
+    vtkMath::Perpendiculars(frame.axis.data(), frame.u.data(), frame.v.data(), 0);
+    const int kind = distributions ? static_cast<int>(distributions->GetComponent(i, 0))
+                                   : static_cast<int>(vtkKalosLuminaireSource::LAMBERTIAN);
+    if (kind == vtkKalosLuminaireSource::ISOTROPIC)
+      addSolid(
+          frame, vtkMath::Pi(), [&](double) { return 0.5 * size; }, lines);
+    else if (kind == vtkKalosLuminaireSource::LAMBERTIAN)
+      addSolid(
+          frame, vtkMath::Pi() / 2, [&](double theta) { return size * std::cos(theta); }, lines);
+    else
+    {
+      const Point tip = frame.at(0, 0, size), left = frame.at(-0.2 * size, 0, 0.75 * size),
+                  right = frame.at(0.2 * size, 0, 0.75 * size);
+      lines.add({frame.origin, tip});
+      lines.add({left, tip, right});
+    }
+    if (!sidesU || !sidesV)
+      continue;
+    Frame panel = frame;
+    sidesU->GetTuple(i, panel.u.data());
+    sidesV->GetTuple(i, panel.v.data());
+    if (vtkMath::Norm(panel.u.data()) > 0)
+      lines.add({panel.at(-0.5, -0.5, 0), panel.at(0.5, -0.5, 0), panel.at(0.5, 0.5, 0), panel.at(-0.5, 0.5, 0),
+                 panel.at(-0.5, -0.5, 0)});
+  }
+  return glyphs;
+}
+}  // namespace studio

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window: view and legend in the middle, panels around it, menus.
+#ifndef studio_MainWindow_h
+#define studio_MainWindow_h
+
+#include <QMainWindow>
+
+#include "LegendBar.h"
+#include "SceneView.h"
+#include "Workbench.h"
+
+class QMenu;
+
+namespace studio
+{
+class MainWindow : public QMainWindow
+{
+  Q_OBJECT
+
+public:
+  explicit MainWindow(QWidget* parent = nullptr);
+
+  /// Opens a scene; a broken one gives a dialog with the file, the place and the reason, and the scene before stays.
+  bool openFile(const QString& path);
+
+  Workbench* bench() { return &this->Bench; }
+  SceneView* view() const { return this->View; }
+
+protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+private:
+  void makeMenus();
+  void makePanels();
+  void chooseFile();
+  void listRecent();
+  void listCameras();
+  void showScene();
+  void showResult();
+  void updatePicking();
+  void complain(const QString& message);
+
+  Workbench Bench;
+  SceneView* View;
+  LegendBar* Bar;
+  QMenu *RecentMenu, *CameraMenu;
+};
+}  // namespace studio
+
+#endif

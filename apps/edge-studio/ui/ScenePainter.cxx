@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ScenePainter.h"
+
+#include "Colours.h"
+#include "DataSets.h"
+#include "EdgeLines.h"
+#include "LuminaireGlyphs.h"
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellDataToPointData.h"
+#include "vtkContourFilter.h"
+#include "vtkKalosSingularEdges.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkVertexGlyphFilter.h"
+
+namespace studio
+{
+ScenePainter::ScenePainter()
+{
+  this->Renderer->SetBackground(0.235, 0.245, 0.26);
+}
+
+void ScenePainter::setPixelRatio(double ratio)
+{
+  if (ratio == this->PixelRatio)
+    return;
+  this->PixelRatio = ratio;
+  if (this->Scene)
+    this->setScene(this->Scene);
+}
+
+vtkSmartPointer<vtkActor> ScenePainter::addLines(vtkPolyData* lines, double width)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(lines);
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -20);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetLineWidth(static_cast<float>(width * this->PixelRatio));
+  actor->PickableOff();
+  this->Renderer->AddActor(actor);
+  return actor;
+}
+
+void ScenePainter::setScene(const ScenePtr& scene)
+{
+  this->Scene = scene;
+  this->Renderer->RemoveAllViewProps();
+  this->Receivers.clear();
+
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(scene->surfaces());
+  mapper->ScalarVisibilityOff();
+  this->Shape = vtkSmartPointer<vtkActor>::New();
+  this->Shape->SetMapper(mapper);
+  this->Shape->GetProperty()->SetColor(0.62, 0.63, 0.65);
+  this->Shape->GetProperty()->SetAmbient(0.6);
+  this->Shape->GetProperty()->SetDiffuse(0.4);
+  this->Shape->GetProperty()->BackfaceCullingOn();
+  this->Renderer->AddActor(this->Shape);
+
+  auto severity = [](vtkActor* actor) {
+    vtkMapper* lines = actor->GetMapper();
+    lines->SetScalarModeToUseCellFieldData();
+    lines->SelectColorArray(vtkKalosSingularEdges::SeverityArrayName());
+    lines->SetLookupTable(severityColours());
+    lines->UseLookupTableScalarRangeOn();
+  };
+  const EdgeLines edges = edgeLines(scene->edges(), scene->size() / 120);
+  this->Edges = this->addLines(edges.edges, 2);
+  this->Contacts = this->addLines(edges.contacts, 3);
+  severity(this->Edges);
+  severity(this->Contacts);
+  this->Luminaires = this->addLines(luminaireGlyphs(scene->luminaires(), 0.07 * scene->size()), 1);
+  this->Luminaires->GetProperty()->SetColor(1, 0.86, 0.45);
+  this->Luminaires->GetProperty()->SetOpacity(0.6);
+  this->mark({});
+}
+
+void ScenePainter::clearReceivers()
+{
+  for (const auto& actor : this->Receivers)
+    this->Renderer->RemoveActor(actor);
+  this->Receivers.clear();
+}
+
+void ScenePainter::paint(const Picture& picture, const Display& display)
+{
+  this->clearReceivers();
+  if (!this->Scene)
+    return;
+  bool surfaces = false;
+  for (const NamedSet& set : dataSets(picture.data))
+  {
+    if (display.hidden.contains(set.name) || !arrayOf(set.data, picture.array.toUtf8().constData()))
+      continue;
+    surfaces = surfaces || set.name == SceneDocument::paintedName();
+    this->addReceivers(set.data, picture, display.smooth);
+  }
+  this->Shape->SetVisibility(!surfaces && !display.hidden.contains(SceneDocument::paintedName()));
+  this->Edges->SetVisibility(display.edges);
+  this->Contacts->SetVisibility(display.edges);
+  this->Luminaires->SetVisibility(display.luminaires);
+}
+
+void ScenePainter::addReceivers(vtkDataSet* data, const Picture& picture, bool smooth)
+{
+  const QByteArray name = picture.array.toUtf8();
+  vtkNew<vtkPolyDataMapper> mapper;
+  const bool ofPoints = data->GetPointData()->HasArray(name.constData());
+  if (ofPoints)
+  {
+    vtkNew<vtkVertexGlyphFilter> vertices;
+    vertices->SetInputData(data);
+    vertices->Update();
+    mapper->SetInputData(vertices->GetOutput());
+  }
+  else if (smooth || !picture.isolines.isEmpty())
+  {
+    vtkNew<vtkCellDataToPointData> interpolated;
+    interpolated->SetInputData(data);
+    interpolated->ProcessAllArraysOff();
+    interpolated->AddCellDataArray(name.constData());
+    interpolated->Update();
+    if (!picture.isolines.isEmpty())
+      this->addIsolines(vtkDataSet::SafeDownCast(interpolated->GetOutput()), picture);
+    mapper->SetInputData(smooth ? vtkPolyData::SafeDownCast(interpolated->GetOutput())
+                                : vtkPolyData::SafeDownCast(data));
+    mapper->SetInterpolateScalarsBeforeMapping(smooth);
+  }
+  else
+    mapper->SetInputData(vtkPolyData::SafeDownCast(data));
+  const bool byPoint = ofPoints || smooth;
+  byPoint ? mapper->SetScalarModeToUsePointFieldData() : mapper->SetScalarModeToUseCellFieldData();
+  mapper->SelectColorArray(name.constData());
+  mapper->SetLookupTable(picture.colours);
+  mapper->UseLookupTableScalarRangeOn();
+
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetPointSize(static_cast<float>(7 * this->PixelRatio));
+  const bool plane = ofPoints || data->GetNumberOfCells() == 0 || data->GetCellType(0) != VTK_TRIANGLE;
+  actor->GetProperty()->SetBackfaceCulling(!plane);
+  if (plane)
+  {
+    // A calculation plane may lie on a surface: it is what one wants to see there.
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -6);
+  }
+  this->Renderer->AddActor(actor);
+  this->Receivers << actor;
+}
+
+void ScenePainter::addIsolines(vtkDataSet* points, const Picture& picture)
+{
+  vtkNew<vtkContourFilter> contours;
+  contours->SetInputData(points);
+  contours->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS,
+                                   picture.array.toUtf8().constData());
+  for (int i = 0; i < picture.isolines.size(); ++i)
+    contours->SetValue(i, picture.isolines[i]);
+  contours->Update();
+  const auto actor = this->addLines(contours->GetOutput(), 1.2);
+  actor->GetMapper()->ScalarVisibilityOff();
+  actor->GetProperty()->SetColor(1, 1, 1);
+  actor->GetProperty()->SetOpacity(0.8);
+  this->Receivers << actor;
+}
+
+void ScenePainter::mark(const QVector<QVector<std::array<double, 3>>>& lines)
+{
+  if (this->Marks)
+    this->Renderer->RemoveActor(this->Marks);
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (const auto& line : lines)
+  {
+    cells->InsertNextCell(line.size());
+    for (const auto& point : line)
+      cells->InsertCellPoint(points->InsertNextPoint(point.data()));
+  }
+  data->SetPoints(points);
+  data->SetLines(cells);
+  this->Marks = this->addLines(data, 2.5);
+  this->Marks->GetProperty()->SetColor(0.2, 1, 0.3);
+}
+}  // namespace studio

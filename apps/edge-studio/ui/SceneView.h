@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The 3-D view: one picture, or two with one camera, side by side or with a swipe between them.
+#ifndef studio_SceneView_h
+#define studio_SceneView_h
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <QElapsedTimer>
+#include <QTimer>
+
+#include "Picking.h"
+#include "ScenePainter.h"
+
+namespace studio
+{
+class SceneView : public QVTKOpenGLNativeWidget
+{
+  Q_OBJECT
+
+public:
+  enum class Layout
+  {
+    Single,
+    SideBySide,
+    Swipe
+  };
+
+  explicit SceneView(QWidget* parent = nullptr);
+
+  void setScene(const ScenePtr& scene);
+  void paint(const Picture& left, const Picture& right, const Display& display);
+  void mark(const QVector<QVector<Point>>& lines);
+  void setPicking(std::shared_ptr<const Picking> picking) { this->Targets = std::move(picking); }
+
+  void setLayoutMode(Layout layout);
+  Layout layoutMode() const { return this->Mode; }
+  void setSwipe(double position);  ///< [0, 1] from the left
+  double swipe() const { return this->SwipeAt; }
+
+  void look(const CameraPreset& camera);
+  /// Fits the scene, seen along a direction.
+  void lookAlong(const Point& direction, const Point& up);
+  CameraPreset camera() const;
+
+  void render();  ///< soon, once for all that changes until then
+  int lastRenderMilliseconds() const { return this->RenderTime; }
+  QImage picture();
+
+signals:
+  void picked(const studio::Pick& pick);
+  void swiped(double position);
+  void rendered();
+
+protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+private:
+  void arrange();
+  void beginRender();
+  void endRender();
+  bool onSwipeLine(const QPointF& at) const;
+  void pickAt(const QPointF& at);
+
+  ScenePainter First, Second;
+  std::shared_ptr<const Picking> Targets;
+  Layout Mode = Layout::Single;
+  double SwipeAt = 0.5;
+  QPointF PressedAt;
+  bool Swiping = false;
+  QTimer Soon;
+  QElapsedTimer Clock;
+  int RenderTime = 0;
+};
+}  // namespace studio
+
+#endif

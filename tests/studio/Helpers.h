@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the tests of Edge Studio share.
+#ifndef Helpers_h
+#define Helpers_h
+
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+#include <QTest>
+
+inline QString data(const QString& name)
+{
+  return QStringLiteral(KALOS_DATA "/") + name;
+}
+
+inline QString writeFile(const QDir& folder, const QString& name, const QByteArray& text)
+{
+  const QString path = folder.filePath(name);
+  QFile file(path);
+  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+    qFatal("%s can not be written", qPrintable(path));
+  return path;
+}
+
+/// A closed room without a lamp, white furnace of 250 lx, of six quads and a coarse plane.
+inline QByteArray furnaceRoom()
+{
+  return R"({"kalos": 1, "materials": {"glow": {"reflectance": 0.6, "exitance": 100}},
+    "surfaces": [
+      {"name": "floor", "quad": {"origin": [0,0,0], "u": [4,0,0], "v": [0,3,0]}, "material": "glow"},
+      {"name": "ceiling", "quad": {"origin": [0,0,2.5], "u": [0,3,0], "v": [4,0,0]}, "material": "glow"},
+      {"name": "left", "quad": {"origin": [0,0,0], "u": [0,3,0], "v": [0,0,2.5]}, "material": "glow"},
+      {"name": "right", "quad": {"origin": [4,0,0], "u": [0,0,2.5], "v": [0,3,0]}, "material": "glow"},
+      {"name": "front", "quad": {"origin": [0,0,0], "u": [0,0,2.5], "v": [4,0,0]}, "material": "glow"},
+      {"name": "back", "quad": {"origin": [0,3,0], "u": [4,0,0], "v": [0,0,2.5]}, "material": "glow"}],
+    "receivers": [
+      {"name": "desk", "plane": {"origin": [0,0,0.75], "u": [4,0,0], "v": [0,3,0], "resolution": [8,6]}}]})";
+}
+
+#endif
