@@ -11,12 +11,15 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTimer>
 
 #include "Application.h"
 #include "Helpers.h"
 #include "MainWindow.h"
+#include "ProbePanel.h"
+#include "Problem.h"
 #include "RecentFiles.h"
 
 using namespace studio;
@@ -132,6 +135,55 @@ private slots:
     QTRY_VERIFY(!this->Window->bench()->isRunning());
     QVERIFY(this->find<QLabel>("times")->text().contains("cancelled"));
     QVERIFY(!this->Window->bench()->shown()->complete);
+  }
+
+  void probesAPointAndALine()
+  {
+    this->Window->openFile(this->furnace());
+    MethodSettings settings;
+    settings.trajectories = 1024;
+    this->Window->bench()->setSettings(settings);
+    this->Window->bench()->setChosenSets({"surfaces"});
+    this->click("run");
+    QTRY_VERIFY_WITH_TIMEOUT(!this->Window->bench()->isRunning() && this->Window->bench()->shown(), 60000);
+    Display display = this->Window->bench()->display();
+    display.hidden = QStringList{"desk"};
+    this->Window->bench()->setDisplay(display);
+    this->Window->view()->look({"corner", {3.4, 0.5, 2.1}, {0.8, 1.8, 0.2}, {0, 0, 1}, 70});
+    this->settle();
+    QTest::mouseClick(this->Window->view(), Qt::LeftButton, Qt::NoModifier,
+                      this->Window->view()->rect().center() + QPoint(0, 60));
+    auto* value = this->find<QLabel>("probeValue");
+    QTRY_VERIFY(value->text().endsWith(" lx"));
+    QVERIFY(this->find<QLabel>("probePlace")->text().contains("from an edge of 90°"));
+    auto* panel = this->Window->findChild<ProbePanel*>();
+    QTRY_VERIFY_WITH_TIMEOUT(!panel->pointProbe().active(), 60000);
+    // 250 lx in the furnace; |t| < 5 with 31 degrees of freedom is exceeded once in 5e4.
+    const Estimate estimate = *panel->pointProbe().estimate();
+    QVERIFY(std::abs(estimate.value - 250) < 5 * estimate.error);
+    this->keep("05-probe");
+
+    this->find<QTabWidget>("tabs")->setCurrentIndex(1);
+    this->click("measure");
+    auto* line = this->Window->findChild<LinePanel*>();
+    QTRY_VERIFY_WITH_TIMEOUT(!line->lineProbe().active(), 120000);
+    const Chart chart = line->lineProbe().chart();
+    QCOMPARE(chart.series.size(), methods().size() + 1);
+    QCOMPARE(chart.series.last().name, QStringLiteral("truth"));
+    const Series& compensated = chart.series.first();
+    QCOMPARE(compensated.points.first().x(), 1e-4);
+    // Some 40 points: |t| < 5.5 for all, false alarm 2e-4.
+    for (int i = 0; i < compensated.points.size(); ++i)
+      QVERIFY(std::abs(compensated.points[i].y() - 250) < 5.5 / interval95 * compensated.halfWidth[i]);
+    this->keep("06-line");
+    for (const char* suffix : {"svg", "png", "csv"})
+      ChartView::save(chart, this->Folder.filePath(QStringLiteral("line.") + suffix));
+    QFile csv(this->Folder.filePath("line.csv"));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QVERIFY(csv.readAll().contains("\"compensated\",0.0001,"));
+    QVERIFY(QFileInfo(this->Folder.filePath("line.svg")).size() > 2000);
+    QCOMPARE(QImage(this->Folder.filePath("line.png")).size(), QSize(1440, 960));
+    QVERIFY_EXCEPTION_THROWN(ChartView::save(chart, "/nowhere/line.csv"), Problem);
   }
 
   void brokenSceneSaysWhereAndTheOldOneStays()

@@ -122,7 +122,7 @@ QVector<double> roundValues(const std::array<double, 2>& range, bool logarithmic
         if (fits && value >= range[0] * (1 - 1e-9) && value <= range[1] * (1 + 1e-9))
           values << value;
       }
-    return values;
+    return values.size() > 2 ? values : roundValues(range, false, std::min(count, 4));
   }
   const double raw = (range[1] - range[0]) / std::max(1, count);
   const double decade = std::pow(10.0, std::floor(std::log10(raw)));

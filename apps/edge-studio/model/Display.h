@@ -47,7 +47,7 @@ struct Display
 std::array<double, 2> rangeOf(const QVector<ResultPtr>& results, const Display& display);
 
 /// Round values inside a range for ticks and isolines: about `count`, powers of ten and their double and fivefold on a
-/// logarithmic scale.
+/// logarithmic scale that holds three of them.
 QVector<double> roundValues(const std::array<double, 2>& range, bool logarithmic, int count);
 }  // namespace studio
 

@@ -2,6 +2,8 @@
 #include "Preview.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "DataSets.h"
 #include "vtkCellData.h"
@@ -10,7 +12,6 @@
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkKalosArrayNames.h"
-#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -56,40 +57,68 @@ void centre(vtkPolyData* data, vtkIdType cell, double at[3])
   }
 }
 
+/// Which of the six directions of the axes a normal is nearest to.
+int facing(vtkDataArray* normals, vtkIdType cell)
+{
+  double n[3];
+  normals->GetTuple(cell, n);
+  int axis = 0;
+  for (int i = 1; i < 3; ++i)
+    axis = std::abs(n[i]) > std::abs(n[axis]) ? i : axis;
+  return 2 * axis + (n[axis] < 0 ? 1 : 0);
+}
+
+/// The cells of a set that face one way, by their centres.
+class Facing
+{
+public:
+  Facing(vtkPolyData* data, int way)
+  {
+    vtkNew<vtkPoints> centres;
+    centres->SetDataTypeToDouble();
+    vtkDataArray* normals = data->GetCellData()->GetNormals();
+    for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+      if (facing(normals, i) == way)
+      {
+        double at[3];
+        centre(data, i, at);
+        centres->InsertNextPoint(at);
+        this->Cells.push_back(i);
+      }
+    vtkNew<vtkPolyData> places;
+    places->SetPoints(centres);
+    this->Locator->SetDataSet(places);
+    if (!this->Cells.empty())
+      this->Locator->BuildLocator();
+  }
+
+  /// The nearest cell; 0 if there are none.
+  vtkIdType nearest(const double at[3]) const
+  {
+    return this->Cells.empty() ? 0 : this->Cells[this->Locator->FindClosestPoint(at)];
+  }
+
+private:
+  std::vector<vtkIdType> Cells;
+  vtkNew<vtkStaticPointLocator> Locator;
+};
+
 vtkSmartPointer<vtkPolyData> spreadSet(vtkPolyData* solved, vtkPolyData* receivers)
 {
-  vtkNew<vtkPoints> centres;
-  centres->SetDataTypeToDouble();
-  double at[3];
-  for (vtkIdType i = 0; i < solved->GetNumberOfCells(); ++i)
-  {
-    centre(solved, i, at);
-    centres->InsertNextPoint(at);
-  }
-  vtkNew<vtkPolyData> places;
-  places->SetPoints(centres);
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(places);
-  locator->BuildLocator();
-
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->CopyStructure(receivers);
   result->GetCellData()->CopyAllocate(solved->GetCellData(), receivers->GetNumberOfCells());
-  vtkDataArray *from = solved->GetCellData()->GetNormals(), *to = receivers->GetCellData()->GetNormals();
-  vtkNew<vtkIdList> near;
-  for (vtkIdType i = 0; i < receivers->GetNumberOfCells(); ++i)
+  vtkDataArray* normals = receivers->GetCellData()->GetNormals();
+  for (int way = 0; way < 6; ++way)
   {
-    centre(receivers, i, at);
-    locator->FindClosestNPoints(8, at, near);
-    vtkIdType best = near->GetId(0);
-    for (vtkIdType k = near->GetNumberOfIds() - 1; k >= 0; --k)
-    {
-      double a[3], b[3];
-      from->GetTuple(near->GetId(k), a);
-      to->GetTuple(i, b);
-      best = vtkMath::Dot(a, b) > 0.5 ? near->GetId(k) : best;
-    }
-    result->GetCellData()->CopyData(solved->GetCellData(), best, i);
+    const Facing some(solved, way);
+    for (vtkIdType i = 0; i < receivers->GetNumberOfCells(); ++i)
+      if (facing(normals, i) == way)
+      {
+        double at[3];
+        centre(receivers, i, at);
+        result->GetCellData()->CopyData(solved->GetCellData(), some.nearest(at), i);
+      }
   }
   return result;
 }

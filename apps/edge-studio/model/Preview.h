@@ -12,7 +12,7 @@ namespace studio
 vtkSmartPointer<vtkDataObject> someReceivers(vtkDataObject* receivers, int wanted = 1200);
 
 /// The receivers with the cell arrays of results on some of them: every cell takes those of the nearest that was solved
-/// and faces the same way within 60 degrees.
+/// and faces the same of the six directions of the axes.
 vtkSmartPointer<vtkDataObject> spread(vtkDataObject* solved, vtkDataObject* receivers);
 }  // namespace studio
 

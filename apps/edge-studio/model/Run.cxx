@@ -114,6 +114,18 @@ void Run::publish(vtkDataObject* data, Stage stage)
   auto result = std::make_shared<Result>(makeResult(this->Wanted, data));
   result->complete = stage == Stage::Last;
   result->preview = stage == Stage::Preview;
+  // Of few receivers every round is told, of many the newest: the window shall not lag behind.
+  if (result->quality.receivers < 1000)
+  {
+    QMetaObject::invokeMethod(
+        this,
+        [this, result] {
+          this->Latest = result;
+          emit this->refined();
+        },
+        Qt::QueuedConnection);
+    return;
+  }
   bool announced;
   {
     const std::lock_guard<std::mutex> guard(this->Lock);

@@ -48,7 +48,7 @@ public slots:
   void cancel();
 
 signals:
-  /// result() is newer; rounds that come faster than the receiver's event loop are left out.
+  /// result() is newer; with many receivers, rounds that come faster than the event loop takes them are left out.
   void refined();
   void progressed();
   void ended();  ///< state() is one of the last three

@@ -3,6 +3,8 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QPalette>
 #include <QStyleFactory>
 #include <QSurfaceFormat>
@@ -36,6 +38,8 @@ void dressApplication()
 
 QString demoScene()
 {
-  return QStringLiteral(KALOS_DEMO_SCENE);
+  const QDir program(QCoreApplication::applicationDirPath());
+  const QString installed = program.filePath(QStringLiteral(KALOS_DATA_INSTALLED "/cornell/cornell.json"));
+  return QFileInfo(installed).isFile() ? installed : QStringLiteral(KALOS_DATA_IN_SOURCES "/cornell/cornell.json");
 }
 }  // namespace studio

@@ -11,9 +11,11 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QStatusBar>
+#include <QTabWidget>
 
 #include "Colours.h"
 #include "MethodPanel.h"
+#include "ProbePanel.h"
 #include "Problem.h"
 #include "RecentFiles.h"
 #include "ShowPanel.h"
@@ -58,6 +60,31 @@ void MainWindow::makePanels()
   };
   dock(tr("Method"), QStringLiteral("methodDock"), new MethodPanel(&this->Bench));
   dock(tr("Show"), QStringLiteral("showDock"), new ShowPanel(&this->Bench));
+
+  auto* probe = new ProbePanel(&this->Bench);
+  auto* line = new LinePanel(&this->Bench);
+  auto* tabs = new QTabWidget;
+  tabs->setObjectName(QStringLiteral("tabs"));
+  tabs->setDocumentMode(true);
+  tabs->addTab(probe, tr("Probe"));
+  tabs->addTab(line, tr("Across an edge"));
+  tabs->setMinimumWidth(380);
+  auto* side = new QDockWidget(tr("Study"));
+  side->setObjectName(QStringLiteral("studyDock"));
+  side->setWidget(tabs);
+  side->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+  this->addDockWidget(Qt::RightDockWidgetArea, side);
+
+  connect(this->View, &SceneView::picked, probe, &ProbePanel::probe);
+  connect(this->View, &SceneView::picked, line, &LinePanel::aim);
+  connect(probe, &ProbePanel::marked, this, [this](const auto& lines) { this->mark(0, lines); });
+  connect(line, &LinePanel::marked, this, [this](const auto& lines) { this->mark(1, lines); });
+}
+
+void MainWindow::mark(int kind, const QVector<QVector<Point>>& lines)
+{
+  this->Marks[kind] = lines;
+  this->View->mark(this->Marks[0] + this->Marks[1]);
 }
 
 void MainWindow::makeMenus()
@@ -189,6 +216,7 @@ void MainWindow::showScene()
 {
   const ScenePtr& scene = this->Bench.scene();
   this->setWindowTitle(tr("%1 – Edge Studio").arg(scene->name()));
+  this->Marks = {};
   this->View->setScene(scene);
   this->listCameras();
   this->updatePicking();

@@ -41,10 +41,12 @@ private:
   void showResult();
   void updatePicking();
   void complain(const QString& message);
+  void mark(int kind, const QVector<QVector<Point>>& lines);
 
   Workbench Bench;
   SceneView* View;
   LegendBar* Bar;
+  std::array<QVector<QVector<Point>>, 2> Marks;  // of the probe and of the line
   QMenu *RecentMenu, *CameraMenu;
 };
 }  // namespace studio

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws a chart: on the screen, into an image, into SVG, with the same strokes.
+#ifndef studio_ChartView_h
+#define studio_ChartView_h
+
+#include <QWidget>
+
+#include "Chart.h"
+
+namespace studio
+{
+void drawChart(QPainter& painter, const QRectF& area, const Chart& chart);
+
+class ChartView : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit ChartView(QWidget* parent = nullptr);
+  void setChart(const Chart& chart);
+  const Chart& chart() const { return this->Shown; }
+
+  /// To .svg, .png or .csv, as the name says. Throws Problem where the file can not be written.
+  static void save(const Chart& chart, const QString& path, const QSizeF& size = {720, 480});
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+  Chart Shown;
+};
+}  // namespace studio
+
+#endif
