@@ -26,5 +26,6 @@ int main(int argc, char* argv[])
   window.show();
   if (scenes.isEmpty() || !window.openFile(scenes.front()))
     window.openFile(studio::demoScene());
+  window.offerAutosave();
   return QApplication::exec();
 }

@@ -7,20 +7,29 @@
 #include <QDropEvent>
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTabWidget>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTimer>
 
 #include "Application.h"
+#include "Export.h"
 #include "Helpers.h"
 #include "MainWindow.h"
 #include "ProbePanel.h"
 #include "Problem.h"
 #include "RecentFiles.h"
+#include "Session.h"
+#include "SpeedPanel.h"
+#include "vtkDataArray.h"
+#include "vtkKalosIlluminance.h"
+#include "vtkRenderWindow.h"
 
 using namespace studio;
 
@@ -107,6 +116,18 @@ private slots:
     qInfo("first colours after %lld ms", clock.elapsed());
     QVERIFY(this->find<QPushButton>("cancel")->isEnabled());
     this->settle();
+    QElapsedTimer frames;
+    frames.start();
+    SceneView* view = this->Window->view();
+    constexpr int turns = 20;
+    for (int i = 0; i < turns; ++i)
+    {
+      view->lookAlong({0.35, 0.8, -0.45 - 0.01 * i}, {0, 0, 1});
+      view->renderWindow()->Render();
+    }
+    qInfo("%.1f frames a second while computing", 1000.0 * turns / static_cast<double>(frames.elapsed()));
+    view->look(this->Window->bench()->scene()->cameras().front());
+    this->settle();
     QVERIFY(coloured(this->Window->view()->picture()) > before + 1000);
     this->keep("02-running");
     QTRY_VERIFY_WITH_TIMEOUT(!this->Window->bench()->isRunning(), 120000);
@@ -184,6 +205,152 @@ private slots:
     QVERIFY(QFileInfo(this->Folder.filePath("line.svg")).size() > 2000);
     QCOMPARE(QImage(this->Folder.filePath("line.png")).size(), QSize(1440, 960));
     QVERIFY_EXCEPTION_THROWN(ChartView::save(chart, "/nowhere/line.csv"), Problem);
+  }
+
+  void comparesTwoMethods()
+  {
+    this->Window->openFile(demoScene());
+    Workbench* bench = this->Window->bench();
+    bench->setChosenSets({"surfaces"});
+    MethodSettings local, disc;
+    local.trajectories = disc.trajectories = 256;
+    local.method = vtkKalosIlluminance::LOCAL;
+    disc.method = vtkKalosIlluminance::DISC;
+    disc.epsilon = 0.3;
+    disc.seed = 2;
+    bench->runSeries({local, disc});
+    QTRY_VERIFY_WITH_TIMEOUT(!bench->isRunning() && bench->seriesLeft() == 0, 120000);
+    QTRY_COMPARE(bench->results().size(), 2);
+    this->find<QTabWidget>("tabs")->setCurrentIndex(2);
+    QCOMPARE(this->find<QListWidget>("results")->count(), 2);
+    auto* mode = this->find<QComboBox>("compareMode");
+    auto choose = [&](int index) {
+      mode->setCurrentIndex(index);
+      emit mode->activated(index);
+      this->settle();
+    };
+    choose(1);
+    QCOMPARE(this->Window->view()->layoutMode(), SceneView::Layout::SideBySide);
+    this->keep("07-side-by-side");
+    choose(2);
+    SceneView* view = this->Window->view();
+    const QPoint middle(view->width() / 2, view->height() / 2);
+    QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, middle);
+    QTest::mouseMove(view, middle + QPoint(-view->width() / 5, 0));
+    QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, middle + QPoint(-view->width() / 5, 0));
+    QVERIFY(std::abs(view->swipe() - 0.3) < 0.02);
+    this->keep("08-swipe");
+    choose(3);
+    QVERIFY(this->find<QLabel>("compareAbout")->text().contains("differ by more than two standard errors"));
+    this->keep("09-difference");
+  }
+
+  void studiesAGridAndSpeed()
+  {
+    this->Window->openFile(this->furnace());
+    Workbench* bench = this->Window->bench();
+    bench->setChosenSets({"desk"});
+    MethodSettings settings;
+    settings.method = vtkKalosIlluminance::SPHERE_EXACT;
+    bench->setSettings(settings);
+    this->Window->view()->lookAlong({0, 0, -1}, {0, 1, 0});
+    this->find<QTabWidget>("tabs")->setCurrentIndex(3);
+    this->find<QLineEdit>("studyTrajectories")->setText("64, 512");
+    this->find<QLineEdit>("studyEpsilons")->setText("0.1, auto");
+    this->click("study");
+    QTRY_VERIFY_WITH_TIMEOUT(!bench->isRunning() && bench->results().size() == 4, 60000);
+    this->settle();
+    auto* grid = this->find<QTableWidget>("studyGrid");
+    QCOMPARE(grid->rowCount(), 2);
+    QCOMPARE(grid->columnCount(), 2);
+    for (int cell = 0; cell < 4; ++cell)
+    {
+      QVERIFY(grid->item(cell / 2, cell % 2));
+      QVERIFY2(grid->item(cell / 2, cell % 2)->text().contains("mean"), "the furnace is known");
+    }
+    this->keep("10-study");
+    emit grid->cellClicked(0, 1);
+    QCOMPARE(bench->shownIndex(), 1);
+
+    const auto said = this->answer(QMessageBox::Ok);
+    this->find<QLineEdit>("studyEpsilons")->setText("0.1, -2");
+    this->click("study");
+    QTRY_VERIFY(said->contains("epsilons"));
+
+    this->find<QTabWidget>("tabs")->setCurrentIndex(4);
+    settings.trajectories = 512;
+    bench->setSettings(settings);
+    this->click("runAll");
+    QTRY_VERIFY_WITH_TIMEOUT(!bench->isRunning() && bench->results().size() == 4 + methods().size(), 60000);
+    const Chart chart = this->Window->findChild<SpeedPanel*>()->chart();
+    QCOMPARE(chart.series.size(), bench->results().size());
+    QVERIFY(chart.series.last().points.size() > 1);
+    this->keep("11-speed");
+  }
+
+  void sessionReopens()
+  {
+    this->Window->openFile(this->furnace());
+    Workbench* bench = this->Window->bench();
+    bench->setChosenSets({"desk"});
+    MethodSettings settings;
+    settings.trajectories = 64;
+    bench->setSettings(settings);
+    Display display;
+    display.logarithmic = true;
+    bench->setDisplay(display);
+    this->click("run");
+    QTRY_VERIFY(!bench->isRunning() && bench->shown() && bench->shown()->complete);
+    QVERIFY2(QFileInfo(autosavePath()).isFile(), "a crash now would leave a session");
+    this->Window->view()->look({"", {3, 1, 2}, {1, 1, 0}, {0, 0, 1}, 50});
+    const QString path = this->Folder.filePath("session.json");
+    saveSession(*bench, this->Window->view()->camera(), path);
+    const double lux = arrayOf(bench->shown()->set("desk"), "Illuminance")->GetComponent(7, 0);
+    this->cleanup();
+    this->init();
+    QVERIFY(this->Window->openFile(path));
+    bench = this->Window->bench();
+    QVERIFY(bench->settings() == settings && bench->display() == display);
+    QCOMPARE(bench->chosenSets(), QStringList{"desk"});
+    QCOMPARE(this->Window->view()->camera().position[0], 3.0);
+    QCOMPARE(bench->shown()->trajectories, 64);
+    QCOMPARE(arrayOf(bench->shown()->set("desk"), "Illuminance")->GetComponent(7, 0), lux);
+
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray text = file.readAll();
+    const QString broken =
+        writeFile(this->Folder.path(), "bad-session.json", QByteArray(text).replace("\"seed\": 1", "\"seed\": -1"));
+    const auto said = this->answer(QMessageBox::Ok);
+    QVERIFY(!this->Window->openFile(broken));
+    QVERIFY2(said->contains("bad-session.json") && said->contains("session/settings/seed"), qPrintable(*said));
+    QCOMPARE(this->Window->bench()->results().size(), 1);
+    this->Window->close();
+    QVERIFY(!QFileInfo(autosavePath()).exists());
+  }
+
+  void exportsPictureAndValues()
+  {
+    this->Window->openFile(this->furnace());
+    Workbench* bench = this->Window->bench();
+    bench->setChosenSets({"desk"});
+    MethodSettings settings;
+    settings.trajectories = 64;
+    bench->setSettings(settings);
+    this->click("run");
+    QTRY_VERIFY(!bench->isRunning() && bench->shown() && bench->shown()->complete);
+    this->settle();
+    const QImage image = this->Window->pictureWithLegend();
+    QVERIFY(image.width() > this->Window->view()->width());
+    const QStringList paths = exportResult(*bench->shown(), this->Folder.filePath("out"));
+    QCOMPARE(paths.size(), 2);
+    QFile csv(paths.front());
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = csv.readAll().trimmed().split('\n');
+    QCOMPARE(lines.front(), QByteArray("x,y,z,nx,ny,nz,illuminance_lx,standard_error_lx,direct_lx"));
+    QCOMPARE(lines.size(), 49);
+    QVERIFY(lines[1].startsWith("0.25,0.25,0.75,0,0,1,"));
+    QVERIFY_EXCEPTION_THROWN(exportResult(*bench->shown(), "/proc/nowhere"), Problem);
   }
 
   void brokenSceneSaysWhereAndTheOldOneStays()

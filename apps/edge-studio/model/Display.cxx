@@ -82,7 +82,7 @@ Display Display::fromJson(const QJsonObject& object, const QString& where)
   for (const QJsonValue& name : fields.array(QStringLiteral("hidden")))
     d.hidden << name.toString();
   fields.finish();
-  if (!(d.range[0] < d.range[1]) || (d.logarithmic && !(d.range[0] > 0)))
+  if (!d.automaticRange && (!(d.range[0] < d.range[1]) || (d.logarithmic && !(d.range[0] > 0))))
     throw Problem(QStringLiteral("%1: is empty or not above 0 on a logarithmic scale, expected two rising numbers")
                       .arg(fields.at(QStringLiteral("range"))));
   return d;

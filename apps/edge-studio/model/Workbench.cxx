@@ -10,7 +10,9 @@ void Workbench::open(const QString& path)
   this->CurrentHasResult = false;
   this->Scene = scene;
   this->Chosen = scene->usualSets();
+  this->Series.clear();
   this->Results.clear();
+  this->Tracks.clear();
   this->ShownIndex = -1;
   emit this->runChanged();
   emit this->sceneChanged();
@@ -55,22 +57,49 @@ void Workbench::setChosenSets(const QStringList& names)
 
 void Workbench::run()
 {
+  this->runSeries({this->settings()});
+}
+
+void Workbench::runSeries(const QVector<MethodSettings>& series)
+{
   if (!this->Scene || this->Chosen.isEmpty())
     return;
-  this->Current = std::make_unique<Run>(this->Scene, this->Scene->receivers(this->Chosen), this->settings());
+  this->Series = series;
+  this->runNext();
+}
+
+void Workbench::runNext()
+{
+  if (this->Series.isEmpty())
+    return;
+  const MethodSettings settings = this->Series.takeFirst();
+  this->Current = std::make_unique<Run>(this->Scene, this->Scene->receivers(this->Chosen), settings);
   this->CurrentHasResult = false;
   connect(this->Current.get(), &Run::refined, this, &Workbench::takeResult);
   connect(this->Current.get(), &Run::progressed, this, &Workbench::runChanged);
-  connect(this->Current.get(), &Run::ended, this, [this] {
-    emit this->runChanged();
-    if (this->Current->state() == Run::State::Failed)
-      emit this->problem(this->Current->problem());
-  });
+  // The run is replaced in what follows: not while it is still emitting.
+  connect(
+      this->Current.get(), &Run::ended, this,
+      [this, run = this->Current.get()] {
+        if (run != this->Current.get())
+          return;  // another one was started meanwhile
+        const Run::State state = run->state();
+        if (state != Run::State::Finished)
+          this->Series.clear();
+        emit this->runChanged();
+        emit this->runEnded();
+        if (state == Run::State::Failed)
+          emit this->problem(run->problem());
+        this->runNext();
+      },
+      Qt::QueuedConnection);
+  emit this->runBegan();
   emit this->runChanged();
 }
 
 void Workbench::cancel()
 {
+  this->Series.clear();
   if (this->isRunning())
     this->Current->cancel();
 }
@@ -78,10 +107,16 @@ void Workbench::cancel()
 void Workbench::takeResult()
 {
   if (!this->CurrentHasResult)
+  {
     this->Results << nullptr;
+    this->Tracks << QVector<QPointF>();
+  }
   this->CurrentHasResult = true;
   const bool follows = this->ShownIndex >= this->Results.size() - 2;
-  this->Results.last() = this->Current->result();
+  const ResultPtr result = this->Current->result();
+  this->Results.last() = result;
+  if (!result->preview && result->seconds > 0)
+    this->Tracks.last() << QPointF(result->seconds, result->quality.typical);
   this->ShownIndex = follows ? static_cast<int>(this->Results.size()) - 1 : this->ShownIndex;
   emit this->resultsChanged();
 }
@@ -90,6 +125,7 @@ void Workbench::addResult(const ResultPtr& result)
 {
   const int before = static_cast<int>(this->Results.size()) - (this->CurrentHasResult ? 1 : 0);
   this->Results.insert(before, result);
+  this->Tracks.insert(before, {QPointF(result->seconds, result->quality.typical)});
   this->ShownIndex += this->ShownIndex >= before ? 1 : 0;
   this->show(this->ShownIndex < 0 ? before : this->ShownIndex);
 }

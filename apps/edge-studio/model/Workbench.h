@@ -4,6 +4,7 @@
 #define studio_Workbench_h
 
 #include <QObject>
+#include <QPointF>
 #include <memory>
 
 #include "Display.h"
@@ -45,10 +46,17 @@ public:
   void show(int index);
   void addResult(const ResultPtr& result);
 
+  /// Runs these settings one after the other; cancel() stops the whole series.
+  void runSeries(const QVector<MethodSettings>& series);
+  int seriesLeft() const { return static_cast<int>(this->Series.size()); }  ///< after the run under way
+
+  /// How the error of each result fell while it ran: (s, root mean square of the relative standard error).
+  const QVector<QVector<QPointF>>& tracks() const { return this->Tracks; }
+
 public slots:
   void undo();
   void redo();
-  void run();  ///< stops a run under way
+  void run();  ///< stops what is under way
   void cancel();
 
 signals:
@@ -57,9 +65,12 @@ signals:
   void displayChanged();
   void resultsChanged();  ///< a result is new, newer, gone, or another one is shown
   void runChanged();      ///< it began, rests, goes on, progresses, ended
+  void runBegan();
+  void runEnded();
   void problem(const QString& message);
 
 private:
+  void runNext();
   void takeResult();
 
   ScenePtr Scene;
@@ -67,8 +78,10 @@ private:
   studio::Display Shown;
   QStringList Chosen;
   std::unique_ptr<Run> Current;
-  bool CurrentHasResult = false;  // the last of Results is Current's
+  bool CurrentHasResult = false;   // the last of Results is Current's
+  QVector<MethodSettings> Series;  // still to be run
   QVector<ResultPtr> Results;
+  QVector<QVector<QPointF>> Tracks;
   int ShownIndex = -1;
 };
 }  // namespace studio

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "vtkCellArray.h"
+#include "vtkFieldData.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkKalosLuminaireSource.h"
 #include "vtkMath.h"
@@ -76,6 +78,42 @@ void addSolid(const Frame& frame, double end, const Radius& radius, Lines& lines
     lines.add(line);
   }
 }
+/// The half-plane C = 90 deg, at a right angle to the axis.
+Point upOf(vtkPointData* data, vtkIdType luminaire, const Frame& frame)
+{
+  Point up = frame.v;
+  if (vtkDataArray* ups = data->GetArray(vtkKalosArrayNames::Up))
+    ups->GetTuple(luminaire, up.data());
+  return up;
+}
+
+/// The curves of a candela table in their planes; false where the table is not about the photometric axis.
+bool addTable(Frame frame, const Point& up, vtkFieldData* fields, int index, double size, Lines& lines)
+{
+  namespace Names = vtkKalosArrayNames;
+  vtkDataArray* table = fields->GetArray((Names::CandelaTable + std::to_string(index)).c_str());
+  vtkDataArray* poles = fields->GetArray(Names::CandelaPoles);
+  if (!table || !poles || poles->GetComponent(index, 0) != 0)
+    return false;
+  frame.v = up;
+  vtkMath::Cross(frame.axis.data(), up.data(), frame.u.data());
+  const double largest = table->GetRange(2)[1];
+  std::vector<Point> curve;
+  for (vtkIdType i = 0; i < table->GetNumberOfTuples(); ++i)
+  {
+    const double c = vtkMath::RadiansFromDegrees(table->GetComponent(i, 0)),
+                 gamma = vtkMath::RadiansFromDegrees(table->GetComponent(i, 1)),
+                 r = largest > 0 ? size * table->GetComponent(i, 2) / largest : 0;
+    curve.push_back(
+        frame.at(r * std::sin(gamma) * std::cos(c), r * std::sin(gamma) * std::sin(c), r * std::cos(gamma)));
+    const bool last = i + 1 == table->GetNumberOfTuples() || table->GetComponent(i + 1, 0) != table->GetComponent(i, 0);
+    if (!last)
+      continue;
+    lines.add(curve);
+    curve.clear();
+  }
+  return true;
+}
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> luminaireGlyphs(vtkPolyData* luminaires, double size)
@@ -103,7 +141,7 @@ vtkSmartPointer<vtkPolyData> luminaireGlyphs(vtkPolyData* luminaires, double siz
     else if (kind == vtkKalosLuminaireSource::LAMBERTIAN)
       addSolid(
           frame, vtkMath::Pi() / 2, [&](double theta) { return size * std::cos(theta); }, lines);
-    else
+    else if (!addTable(frame, upOf(data, i, frame), luminaires->GetFieldData(), kind - 2, size, lines))
     {
       const Point tip = frame.at(0, 0, size), left = frame.at(-0.2 * size, 0, 0.75 * size),
                   right = frame.at(0.2 * size, 0, 0.75 * size);

@@ -9,7 +9,8 @@
 namespace studio
 {
 /// Photometric solids, the distance from the luminaire in each direction being in proportion to the intensity, `size` m
-/// at the largest; for distributions from a table an arrow along the axis. Rectangles have their outline too.
+/// at the largest; for tables that are not about the photometric axis an arrow along it. Rectangles have their outline
+/// too.
 vtkSmartPointer<vtkPolyData> luminaireGlyphs(vtkPolyData* luminaires, double size);
 }  // namespace studio
 

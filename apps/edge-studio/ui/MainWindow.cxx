@@ -5,20 +5,28 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QFile>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPainter>
 #include <QStatusBar>
 #include <QTabWidget>
 
 #include "Colours.h"
+#include "ComparePanel.h"
+#include "Export.h"
 #include "MethodPanel.h"
 #include "ProbePanel.h"
 #include "Problem.h"
 #include "RecentFiles.h"
+#include "Session.h"
 #include "ShowPanel.h"
+#include "SpeedPanel.h"
+#include "StudyPanel.h"
 #include "Wording.h"
 
 namespace studio
@@ -45,6 +53,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent)
   connect(&this->Bench, &Workbench::displayChanged, this, &MainWindow::showResult);
   connect(&this->Bench, &Workbench::displayChanged, this, &MainWindow::updatePicking);
   connect(&this->Bench, &Workbench::problem, this, &MainWindow::complain);
+  connect(&this->Bench, &Workbench::runBegan, this, &MainWindow::autosave);
+  connect(&this->Bench, &Workbench::runEnded, this, &MainWindow::autosave);
 }
 
 void MainWindow::makePanels()
@@ -68,13 +78,18 @@ void MainWindow::makePanels()
   tabs->setDocumentMode(true);
   tabs->addTab(probe, tr("Probe"));
   tabs->addTab(line, tr("Across an edge"));
-  tabs->setMinimumWidth(380);
-  auto* side = new QDockWidget(tr("Study"));
+  this->Compare = new ComparePanel(&this->Bench);
+  tabs->addTab(this->Compare, tr("Compare"));
+  tabs->addTab(new StudyPanel(&this->Bench, this->View), tr("Study"));
+  tabs->addTab(new SpeedPanel(&this->Bench), tr("Speed"));
+  tabs->setMinimumWidth(400);
+  auto* side = new QDockWidget(tr("Analysis"));
   side->setObjectName(QStringLiteral("studyDock"));
   side->setWidget(tabs);
   side->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
   this->addDockWidget(Qt::RightDockWidgetArea, side);
 
+  connect(this->Compare, &ComparePanel::changed, this, &MainWindow::showResult);
   connect(this->View, &SceneView::picked, probe, &ProbePanel::probe);
   connect(this->View, &SceneView::picked, line, &LinePanel::aim);
   connect(probe, &ProbePanel::marked, this, [this](const auto& lines) { this->mark(0, lines); });
@@ -87,6 +102,32 @@ void MainWindow::mark(int kind, const QVector<QVector<Point>>& lines)
   this->View->mark(this->Marks[0] + this->Marks[1]);
 }
 
+void MainWindow::makeFileMenu()
+{
+  QMenu* file = this->menuBar()->addMenu(tr("&File"));
+  auto add = [this, file](const QString& text, const QKeySequence& keys, auto handler) {
+    QAction* action = file->addAction(text);
+    action->setShortcut(keys);
+    connect(action, &QAction::triggered, this, handler);
+    return action;
+  };
+  add(tr("&Open…"), QKeySequence::Open, [this] { this->chooseFile(); });
+  this->RecentMenu = file->addMenu(tr("Open &recent"));
+  connect(this->RecentMenu, &QMenu::aboutToShow, this, &MainWindow::listRecent);
+  add(tr("&Save the session…"), QKeySequence::Save, [this] { this->saveSessionAs(); });
+  file->addSeparator();
+  QAction* picture = add(tr("Export the &picture…"), Qt::CTRL | Qt::Key_P, [this] { this->exportPictureAs(); });
+  QAction* results = add(tr("Export the &values…"), Qt::CTRL | Qt::Key_E, [this] { this->exportResultsTo(); });
+  auto enable = [this, picture, results] {
+    picture->setEnabled(this->Bench.scene() != nullptr);
+    results->setEnabled(this->Bench.shown() != nullptr);
+  };
+  connect(&this->Bench, &Workbench::resultsChanged, this, enable);
+  enable();
+  file->addSeparator();
+  add(tr("&Quit"), QKeySequence::Quit, [this] { this->close(); });
+}
+
 void MainWindow::makeMenus()
 {
   auto add = [this](QMenu* menu, const QString& text, const QKeySequence& keys, auto handler) {
@@ -95,13 +136,7 @@ void MainWindow::makeMenus()
     connect(action, &QAction::triggered, this, handler);
     return action;
   };
-  QMenu* file = this->menuBar()->addMenu(tr("&File"));
-  add(file, tr("&Open…"), QKeySequence::Open, [this] { this->chooseFile(); });
-  this->RecentMenu = file->addMenu(tr("Open &recent"));
-  connect(this->RecentMenu, &QMenu::aboutToShow, this, &MainWindow::listRecent);
-  file->addSeparator();
-  add(file, tr("&Quit"), QKeySequence::Quit, [this] { this->close(); });
-
+  this->makeFileMenu();
   QMenu* edit = this->menuBar()->addMenu(tr("&Edit"));
   QAction* undo = add(edit, tr("&Undo setting"), QKeySequence::Undo, [this] { this->Bench.undo(); });
   QAction* redo = add(edit, tr("&Redo setting"), QKeySequence::Redo, [this] { this->Bench.redo(); });
@@ -144,12 +179,28 @@ void MainWindow::chooseFile()
 
 bool MainWindow::openFile(const QString& path)
 {
+  bool opened = false;
+  this->attempt([&] {
+    if (isSession(path))
+    {
+      if (const auto camera = openSession(this->Bench, path))
+        this->View->look(*camera);
+    }
+    else
+      this->Bench.open(path);
+    addRecentFile(QFileInfo(path).absoluteFilePath());
+    opened = true;
+  });
+  return opened;
+}
+
+void MainWindow::attempt(const std::function<void()>& action)
+{
   QApplication::setOverrideCursor(Qt::WaitCursor);
   QString trouble;
   try
   {
-    this->Bench.open(path);
-    addRecentFile(this->Bench.scene()->path());
+    action();
   }
   catch (const Problem& problem)
   {
@@ -158,7 +209,68 @@ bool MainWindow::openFile(const QString& path)
   QApplication::restoreOverrideCursor();
   if (!trouble.isEmpty())
     this->complain(trouble);
-  return trouble.isEmpty();
+}
+
+void MainWindow::saveSessionAs()
+{
+  const QString path = QFileDialog::getSaveFileName(this, tr("Save the session"), QString(), tr("Sessions (*.json)"));
+  if (!path.isEmpty())
+    this->attempt([&] { saveSession(this->Bench, this->View->camera(), path); });
+}
+
+void MainWindow::exportPictureAs()
+{
+  const QString path = QFileDialog::getSaveFileName(this, tr("Export the picture"), QString(), tr("PNG (*.png)"));
+  if (!path.isEmpty() && !this->pictureWithLegend().save(path, "PNG"))
+    this->complain(tr("%1: file: can not be written; expected a place that can be written").arg(path));
+}
+
+void MainWindow::exportResultsTo()
+{
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Export the values, CSV and VTP, into a folder"));
+  if (!folder.isEmpty())
+    this->attempt([&] { exportResult(*this->Bench.shown(), folder); });
+}
+
+QImage MainWindow::pictureWithLegend()
+{
+  const QImage view = this->View->picture();
+  if (!this->Bar->legend().colours)
+    return view;
+  const double ratio = view.devicePixelRatio();
+  QImage image(view.width() + static_cast<int>(this->Bar->width() * ratio), view.height(), QImage::Format_RGB32);
+  image.setDevicePixelRatio(ratio);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.drawImage(QPointF(0, 0), view);
+  drawLegend(painter, QRectF(view.width() / ratio, 0, this->Bar->width(), view.height() / ratio), this->Bar->legend(),
+             Qt::black);
+  return image;
+}
+
+void MainWindow::autosave()
+{
+  // Silent: what can not be saved here is no reason to disturb; an orderly end removes it.
+  try
+  {
+    if (this->Bench.scene())
+      saveSession(this->Bench, this->View->camera(), autosavePath());
+  }
+  catch (const Problem&)
+  {
+  }
+}
+
+void MainWindow::offerAutosave()
+{
+  if (!QFileInfo(autosavePath()).isFile())
+    return;
+  QMessageBox box(QMessageBox::Question, tr("Edge Studio"),
+                  tr("The last session did not end in an orderly way. Open what was saved of it?"),
+                  QMessageBox::Yes | QMessageBox::No, this);
+  if (box.exec() == QMessageBox::Yes)
+    this->openFile(autosavePath());
 }
 
 void MainWindow::complain(const QString& message)
@@ -235,16 +347,30 @@ void MainWindow::showResult()
 {
   const ResultPtr result = this->Bench.shown();
   const Display& display = this->Bench.display();
-  Picture picture;
+  const ComparePanel::Mode mode = result ? this->Compare->mode() : ComparePanel::Mode::Off;
+  const bool two = mode == ComparePanel::Mode::SideBySide || mode == ComparePanel::Mode::Swipe;
+  Picture first, second;
   Legend legend;
-  if (result)
+  if (mode == ComparePanel::Mode::Difference)
   {
-    const auto range = rangeOf({result}, display);
-    picture = {result->data, QString::fromLatin1(arrayName(display.quantity)), falseColours(range, display.logarithmic),
-               display.isolines ? roundValues(range, display.logarithmic, 10) : QVector<double>()};
-    legend = {picture.colours, title(display.quantity), unitOf(display.quantity), QString()};
+    first = {this->Compare->comparison().data, QString::fromLatin1(Comparison::arrayName), differenceColours(5), {}};
+    legend = {first.colours, tr("Difference"), tr("std. errors"), {}};
   }
-  this->View->paint(picture, {}, display);
+  else if (result)
+  {
+    const auto range = rangeOf({result, two ? this->Compare->other() : nullptr}, display);
+    first = {result->data, QString::fromLatin1(arrayName(display.quantity)), falseColours(range, display.logarithmic),
+             display.isolines ? roundValues(range, display.logarithmic, 10) : QVector<double>()};
+    second = first;
+    second.data = two ? this->Compare->other()->data : nullptr;
+    legend = {first.colours, title(display.quantity), unitOf(display.quantity), QString()};
+  }
+  const auto layout = !two                                     ? SceneView::Layout::Single
+                      : mode == ComparePanel::Mode::SideBySide ? SceneView::Layout::SideBySide
+                                                               : SceneView::Layout::Swipe;
+  if (layout != this->View->layoutMode())
+    this->View->setLayoutMode(layout);
+  this->View->paint(first, second, display);
   this->Bar->setLegend(legend);
   this->Bar->setVisible(result != nullptr);
 }
@@ -260,6 +386,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
       return event->ignore();
     this->Bench.cancel();
   }
+  QFile::remove(autosavePath());
   event->accept();
 }
 

@@ -4,6 +4,7 @@
 #define studio_MainWindow_h
 
 #include <QMainWindow>
+#include <functional>
 
 #include "LegendBar.h"
 #include "SceneView.h"
@@ -13,6 +14,8 @@ class QMenu;
 
 namespace studio
 {
+class ComparePanel;
+
 class MainWindow : public QMainWindow
 {
   Q_OBJECT
@@ -26,6 +29,12 @@ public:
   Workbench* bench() { return &this->Bench; }
   SceneView* view() const { return this->View; }
 
+  /// The view with its legend, as one image.
+  QImage pictureWithLegend();
+
+  /// Offers the session that a crash has left, if there is one.
+  void offerAutosave();
+
 protected:
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -33,6 +42,7 @@ protected:
 
 private:
   void makeMenus();
+  void makeFileMenu();
   void makePanels();
   void chooseFile();
   void listRecent();
@@ -41,11 +51,17 @@ private:
   void showResult();
   void updatePicking();
   void complain(const QString& message);
+  void attempt(const std::function<void()>& action);  // complains of the Problem that it throws
+  void saveSessionAs();
+  void exportPictureAs();
+  void exportResultsTo();
+  void autosave();
   void mark(int kind, const QVector<QVector<Point>>& lines);
 
   Workbench Bench;
   SceneView* View;
   LegendBar* Bar;
+  ComparePanel* Compare;
   std::array<QVector<QVector<Point>>, 2> Marks;  // of the probe and of the line
   QMenu *RecentMenu, *CameraMenu;
 };

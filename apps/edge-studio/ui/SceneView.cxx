@@ -52,6 +52,7 @@ void SceneView::paint(const Picture& left, const Picture& right, const Display& 
   this->First.paint(left, display);
   this->Second.paint(right, display);
   this->render();
+  emit this->painted();
 }
 
 void SceneView::mark(const QVector<QVector<Point>>& lines)
@@ -104,7 +105,6 @@ void SceneView::beginRender()
 void SceneView::endRender()
 {
   this->RenderTime = static_cast<int>(this->Clock.elapsed());
-  emit this->rendered();
 }
 
 void SceneView::look(const CameraPreset& preset)

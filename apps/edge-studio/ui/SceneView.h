@@ -43,12 +43,12 @@ public:
 
   void render();  ///< soon, once for all that changes until then
   int lastRenderMilliseconds() const { return this->RenderTime; }
-  QImage picture();
+  QImage picture();  ///< rendered now
 
 signals:
   void picked(const studio::Pick& pick);
   void swiped(double position);
-  void rendered();
+  void painted();  ///< the pictures are new, and not yet on the screen
 
 protected:
   void mousePressEvent(QMouseEvent* event) override;
