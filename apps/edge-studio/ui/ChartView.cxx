@@ -10,6 +10,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QSaveFile>
+#include <QSet>
 #include <QSvgGenerator>
 #include <cmath>
 
@@ -163,8 +164,12 @@ private:
   double layLegend(double width, const Place& place) const
   {
     double x = 0, y = 0;
+    QSet<QString> named;
     for (const Series& series : this->Shown.series)
     {
+      if (named.contains(series.name))
+        continue;
+      named.insert(series.name);
       const double w = QFontMetricsF(this->Painter.font()).horizontalAdvance(series.name) + 2.4 * this->Line;
       if (x > 0 && x + w > width)
       {

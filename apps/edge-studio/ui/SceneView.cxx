@@ -16,7 +16,7 @@ namespace studio
 SceneView::SceneView(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
 {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
-  window->SetMultiSamples(4);
+  window->SetMultiSamples(0);  // four samples halve the frame rate of software OpenGL; still pictures get FXAA
   this->setRenderWindow(window);
   window->AddRenderer(this->First.renderer());
   window->AddRenderer(this->Second.renderer());
@@ -30,8 +30,10 @@ SceneView::SceneView(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
     if (this->isVisible())
       this->renderWindow()->Render();
   });
-  window->AddObserver(vtkCommand::StartEvent, this, &SceneView::beginRender);
-  window->AddObserver(vtkCommand::EndEvent, this, &SceneView::endRender);
+  style->AddObserver(vtkCommand::StartInteractionEvent, this, &SceneView::beginTurning);
+  style->AddObserver(vtkCommand::EndInteractionEvent, this, &SceneView::endTurning);
+  this->endTurning();
+  window->AddObserver(vtkCommand::StartEvent, this, &SceneView::syncCameras);
   this->arrange();
 }
 
@@ -90,21 +92,27 @@ void SceneView::arrange()
   this->render();
 }
 
-void SceneView::beginRender()
+void SceneView::beginTurning()
 {
-  this->Clock.start();
+  this->First.renderer()->UseFXAAOff();
+  this->Second.renderer()->UseFXAAOff();
+}
 
+void SceneView::endTurning()
+{
+  this->First.renderer()->UseFXAAOn();
+  this->Second.renderer()->UseFXAAOn();
+  this->render();
+}
+
+void SceneView::syncCameras()
+{
   vtkCamera *from = this->First.renderer()->GetActiveCamera(), *to = this->Second.renderer()->GetActiveCamera();
   to->SetPosition(from->GetPosition());
   to->SetFocalPoint(from->GetFocalPoint());
   to->SetViewUp(from->GetViewUp());
   to->SetViewAngle(from->GetViewAngle());
   to->SetClippingRange(from->GetClippingRange());
-}
-
-void SceneView::endRender()
-{
-  this->RenderTime = static_cast<int>(this->Clock.elapsed());
 }
 
 void SceneView::look(const CameraPreset& preset)
@@ -157,6 +165,20 @@ QImage SceneView::picture()
 bool SceneView::onSwipeLine(const QPointF& at) const
 {
   return this->Mode == Layout::Swipe && std::abs(at.x() - this->SwipeAt * this->width()) < 6;
+}
+
+// VTK takes mouse events from here, before the handlers below: a drag of the swipe line is not for it.
+bool SceneView::event(QEvent* event)
+{
+  const auto type = event->type();
+  const bool press = type == QEvent::MouseButtonPress, release = type == QEvent::MouseButtonRelease;
+  if (!press && !release && type != QEvent::MouseMove)
+    return QVTKOpenGLNativeWidget::event(event);
+  auto* mouse = static_cast<QMouseEvent*>(event);
+  if (!this->Swiping && !(press && this->onSwipeLine(mouse->localPos())))
+    return QVTKOpenGLNativeWidget::event(event);
+  press ? this->mousePressEvent(mouse) : release ? this->mouseReleaseEvent(mouse) : this->mouseMoveEvent(mouse);
+  return true;
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event)

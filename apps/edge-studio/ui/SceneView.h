@@ -4,7 +4,6 @@
 #define studio_SceneView_h
 
 #include <QVTKOpenGLNativeWidget.h>
-#include <QElapsedTimer>
 #include <QTimer>
 
 #include "Picking.h"
@@ -41,8 +40,7 @@ public:
   void lookAlong(const Point& direction, const Point& up);
   CameraPreset camera() const;
 
-  void render();  ///< soon, once for all that changes until then
-  int lastRenderMilliseconds() const { return this->RenderTime; }
+  void render();     ///< soon, once for all that changes until then
   QImage picture();  ///< rendered now
 
 signals:
@@ -51,6 +49,7 @@ signals:
   void painted();  ///< the pictures are new, and not yet on the screen
 
 protected:
+  bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -58,8 +57,9 @@ protected:
 
 private:
   void arrange();
-  void beginRender();
-  void endRender();
+  void beginTurning();
+  void endTurning();
+  void syncCameras();
   bool onSwipeLine(const QPointF& at) const;
   void pickAt(const QPointF& at);
 
@@ -70,8 +70,6 @@ private:
   QPointF PressedAt;
   bool Swiping = false;
   QTimer Soon;
-  QElapsedTimer Clock;
-  int RenderTime = 0;
 };
 }  // namespace studio
 
