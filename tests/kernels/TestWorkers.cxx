@@ -9,7 +9,8 @@ TEST(Workers, RestWhileProgressIsTold)
 {
   constexpr int threads = 3, tasks = 3000;
   std::atomic<int> begun{0}, told{0};
-  Workers workers(threads, [&](double) {
+  const Ranks alone;
+  auto rest = [&](double) {
     if (++told > 3)
       return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));  // what had passed the gate begins
@@ -17,7 +18,8 @@ TEST(Workers, RestWhileProgressIsTold)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     EXPECT_EQ(begun, before);
     return true;
-  });
+  };
+  Workers workers(threads, rest, alone);
   EXPECT_TRUE(workers.forEach(tasks, [&](std::size_t) {
     ++begun;
     std::this_thread::sleep_for(std::chrono::microseconds(100));

@@ -34,6 +34,8 @@ unsigned methodColour(int method)
   {
     case Estimator::COMPENSATED:
       return 0x1b6ca8;
+    case Estimator::GATHERED:
+      return 0x17a2b8;
     case Estimator::LOCAL:
       return 0xd1495b;
     case Estimator::SPHERE_EXACT:

@@ -25,6 +25,7 @@ const QVector<Method>& methods()
 {
   static const QVector<Method> all{
       {Estimator::COMPENSATED, "compensated", false, false},
+      {Estimator::GATHERED, "gathered", false, false},
       {Estimator::LOCAL, "local", false, false},
       {Estimator::SPHERE_EXACT, "sphere-exact", true, true},
       {Estimator::SPHERE_PUBLISHED, "sphere-published", true, true},

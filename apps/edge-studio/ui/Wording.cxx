@@ -29,6 +29,8 @@ QString explain(int method)
   using Estimator = vtkKalosEstimatorAlgorithm;
   switch (method)
   {
+    case Estimator::GATHERED:
+      return tr("Rays gather the light of a cache over the surfaces: fast; its bias shrinks with the cells");
     case Estimator::LOCAL:
       return tr("Plain local estimation: unbiased, with spikes along concave edges and contacts");
     case Estimator::SPHERE_EXACT:
