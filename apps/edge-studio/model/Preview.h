@@ -9,7 +9,7 @@
 namespace studio
 {
 /// About `wanted` receivers, evenly taken from the cells of all blocks; null where there are not many more than that.
-vtkSmartPointer<vtkDataObject> someReceivers(vtkDataObject* receivers, int wanted = 1200);
+vtkSmartPointer<vtkDataObject> someReceivers(vtkDataObject* receivers, int wanted);
 
 /// The receivers with the cell arrays of results on some of them: every cell takes those of the nearest that was solved
 /// and faces the same of the six directions of the axes.

@@ -150,16 +150,18 @@ void Run::publish(vtkDataObject* data, Stage stage)
 void Run::work()
 {
   yieldToTheWindow();
-  if (const auto some = someReceivers(this->Receivers))
-  {
-    MethodSettings first = this->Wanted;
-    first.goal = Goal::Trajectories;
-    first.trajectories = 32;
-    vtkSmartPointer<vtkDataObject> colours;
-    const QString problem = this->solve(some, first, [&](vtkDataObject* data) { colours = data; });
-    if (problem.isEmpty() && colours)
-      this->publish(spread(colours, this->Receivers), Stage::Preview);
-  }
+  // First colours at once; where there are very many receivers, better ones before the first full round too.
+  for (const auto& [receivers, trajectories] : {std::pair{1200, 32}, std::pair{15000, 256}})
+    if (const auto some = someReceivers(this->Receivers, receivers))
+    {
+      MethodSettings first = this->Wanted;
+      first.goal = Goal::Trajectories;
+      first.trajectories = trajectories;
+      const QString problem = this->solve(
+          some, first, [&](vtkDataObject* data) { this->publish(spread(data, this->Receivers), Stage::Preview); });
+      if (!problem.isEmpty())
+        break;  // the whole run will meet it again
+    }
   vtkSmartPointer<vtkDataObject> latest;
   const QString problem = this->solve(this->Receivers, this->Wanted, [&](vtkDataObject* data) {
     latest = data;
