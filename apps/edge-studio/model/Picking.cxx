@@ -21,7 +21,6 @@ Picking::Picking(const ScenePtr& scene, const QStringList& sets)
       continue;
     auto tree = vtkSmartPointer<vtkOBBTree>::New();
     tree->SetDataSet(data);
-    tree->BuildLocator();
     this->Targets.push_back({set.name, data->GetCellType(0) != VTK_TRIANGLE, data, tree});
   }
 }
@@ -36,6 +35,7 @@ std::optional<Pick> Picking::first(const Point& from, const Point& to) const
   vtkNew<vtkIdList> cells;
   for (const Target& target : this->Targets)
   {
+    target.tree->BuildLocator();  // where it has not been built
     target.tree->IntersectWithLine(from.data(), to.data(), points, cells);
     for (vtkIdType i = 0; i < cells->GetNumberOfIds(); ++i)
     {
