@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkKalosEstimatorAlgorithm.h"
 
+#include "CheckpointFile.h"
 #include "estimator/Settings.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -23,6 +24,7 @@ vtkKalosEstimatorAlgorithm::vtkKalosEstimatorAlgorithm()
 vtkKalosEstimatorAlgorithm::~vtkKalosEstimatorAlgorithm()
 {
   this->SetController(nullptr);
+  this->SetCheckpointFile(nullptr);
 }
 
 int vtkKalosEstimatorAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
@@ -41,10 +43,20 @@ int vtkKalosEstimatorAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformat
   return 1;
 }
 
-kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings(const kalos::Ranks& ranks) const
+std::unique_ptr<kalos::CheckpointStore> vtkKalosEstimatorAlgorithm::MakeCheckpoint()
+{
+  if (!this->CheckpointFile || !*this->CheckpointFile)
+    return nullptr;
+  return std::make_unique<::CheckpointFile>(this->CheckpointFile, this->CheckpointInterval,
+                                            [this](const std::string& why) { vtkWarningMacro(<< why); });
+}
+
+kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings(const kalos::Ranks& ranks,
+                                                         kalos::CheckpointStore* checkpoint) const
 {
   kalos::Settings settings;
   settings.ranks = &ranks;
+  settings.checkpoint = checkpoint;
   settings.method = static_cast<kalos::Method>(this->Method);
   settings.trajectories = this->Trajectories;
   settings.relativeError = this->RelativeError;
@@ -104,5 +116,7 @@ void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Threads: " << this->Threads << "\n";
   os << indent << "Delta: " << this->Delta << "\n";
   os << indent << "Epsilon: " << this->Epsilon << "\n";
+  os << indent << "CheckpointFile: " << (this->CheckpointFile ? this->CheckpointFile : "(none)") << "\n";
+  os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }

@@ -16,6 +16,8 @@
 #ifndef vtkKalosEstimatorAlgorithm_h
 #define vtkKalosEstimatorAlgorithm_h
 
+#include <memory>  // for MakeCheckpoint
+
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkKalosFiltersEstimationModule.h"  // for export macro
 
@@ -24,6 +26,7 @@ class vtkMultiProcessController;
 
 namespace kalos
 {
+class CheckpointStore;
 class Ranks;
 struct Result;
 struct Settings;
@@ -115,6 +118,28 @@ public:
 
   ///@{
   /**
+   * File that the state of the solve is kept in, and that it goes on from when it is there: a solve that was killed and
+   * is run again gives bitwise the numbers of one that was not. Written whole or not at all, every CheckpointInterval
+   * and when the solve ends, also by AbortExecute; by the first process only. It stays when the solve is complete; a
+   * later update with the same input then has its numbers at once. A file of another scene, set of receivers, version
+   * or setting (but for Threads and processes), or a damaged one, is an error and left as it is; one that can not be
+   * written for want of space is a warning. Takes the size of receivers x 32 replicates x (2 bands + 2) x 8 bytes, and
+   * twice that in memory. Default: none.
+   */
+  vtkSetFilePathMacro(CheckpointFile);
+  vtkGetFilePathMacro(CheckpointFile);
+  ///@}
+
+  ///@{
+  /**
+   * Time between checkpoints, s, >= 0; they are taken between rounds of trajectories. Default 10.
+   */
+  vtkSetMacro(CheckpointInterval, double);
+  vtkGetMacro(CheckpointInterval, double);
+  ///@}
+
+  ///@{
+  /**
    * The processes that share the work. Default: the global controller at construction; null or a single process works
    * alone. With several, all of them must update the filter. Each asks its inputs for the whole, whatever piece it is
    * asked for itself, works on its share of the replicates, and knows the result, bit by bit that of one process. A
@@ -128,10 +153,13 @@ protected:
   vtkKalosEstimatorAlgorithm();
   ~vtkKalosEstimatorAlgorithm() override;
 
+  /// The store of CheckpointFile; null when none is wanted.
+  std::unique_ptr<kalos::CheckpointStore> MakeCheckpoint();
+
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// The settings, for a solve by `ranks`.
-  kalos::Settings MakeSettings(const kalos::Ranks& ranks) const;
+  /// The settings, for a solve by `ranks` that is kept in `checkpoint`.
+  kalos::Settings MakeSettings(const kalos::Ranks& ranks, kalos::CheckpointStore* checkpoint) const;
 
   /// Reports progress to VTK and returns false when the user aborts.
   bool ReportProgress(double fraction);
@@ -147,6 +175,8 @@ protected:
   int Threads = 0;
   double Delta = 0;
   double Epsilon = 0;
+  char* CheckpointFile = nullptr;
+  double CheckpointInterval = 10;
   vtkMultiProcessController* Controller = nullptr;
 
 private:

@@ -3,6 +3,7 @@
 
 #include <exception>
 
+#include "CheckpointFile.h"
 #include "ControllerRanks.h"
 #include "ReceiverConversion.h"
 #include "SceneConversion.h"
@@ -107,8 +108,10 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
         this->InvokeEvent(vtkCommand::UpdateDataEvent, this->Dress(input, soFar).Get());
       };
     const ControllerRanks ranks(this->Controller);
+    const auto checkpoint = this->MakeCheckpoint();
     const kalos::Result result = kalos::solve(
-        scene, receivers, this->MakeSettings(ranks), [this](double f) { return this->ReportProgress(f); }, show);
+        scene, receivers, this->MakeSettings(ranks, checkpoint.get()),
+        [this](double f) { return this->ReportProgress(f); }, show);
     if (result.trajectories == 0)  // stopped before the first round was complete
       return 1;
     using Pipeline = vtkStreamingDemandDrivenPipeline;

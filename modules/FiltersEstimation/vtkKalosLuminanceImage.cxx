@@ -3,6 +3,7 @@
 
 #include <exception>
 
+#include "CheckpointFile.h"
 #include "ControllerRanks.h"
 #include "SceneConversion.h"
 #include "estimator/LuminanceImage.h"
@@ -82,8 +83,10 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
     const kalos::Camera camera{ToVec3(this->Position), ToVec3(this->Target), ToVec3(this->Up),
                                this->FieldOfView,      this->Resolution[0],  this->Resolution[1]};
     const ControllerRanks ranks(this->Controller);
-    const kalos::LuminanceResult result = kalos::solveLuminance(scene, camera, this->MakeSettings(ranks),
-                                                                [this](double f) { return this->ReportProgress(f); });
+    const auto checkpoint = this->MakeCheckpoint();
+    const kalos::LuminanceResult result =
+        kalos::solveLuminance(scene, camera, this->MakeSettings(ranks, checkpoint.get()),
+                              [this](double f) { return this->ReportProgress(f); });
     if (result.estimate.trajectories == 0)  // stopped before the first round was complete
       return 1;
     output->SetDimensions(camera.width, camera.height, 1);

@@ -21,6 +21,9 @@ def parser():
     solve.add_argument("--out", metavar="DIR", required=True, help="folder for the results; made if it is not there")
     add_method_options(solve, DEFAULT_METHOD)
     add_goals(solve)
+    solve.add_argument("--checkpoint", metavar="FILE",
+                       help="keep the solve in FILE, FILE.CAMERA for cameras, every 10 s and when it is stopped; the same command "
+                            "goes on from there to the same numbers, and takes the files away when it is done (none)")
     solve.add_argument("--no-prepare", action="store_false", dest="prepare",
                        help="take the surfaces as they are: neither repair them nor look for singular edges")
     solve.add_argument("--report", action="store_true",

@@ -2,6 +2,8 @@
 """Illuminance and luminance of scenes in memory, from NumPy arrays or VTK data, without a file."""
 from __future__ import annotations
 
+import os
+import pathlib
 from argparse import ArgumentTypeError
 from typing import Callable, Optional, Tuple, Union
 
@@ -31,7 +33,7 @@ TYPES = {"method": arguments.method, "trajectories": arguments.COUNT, "error": a
 def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, normals: ArrayLike, *,
                 error: Optional[float] = None, time: Optional[float] = None, trajectories: Optional[int] = None,
                 method: str = DEFAULT_METHOD, delta: Optional[float] = None, epsilon: Optional[float] = None, seed: int = 1,
-                threads: int = 0, progress: Progress = None) -> Illuminance:
+                threads: int = 0, checkpoint: Union[None, str, os.PathLike] = None, progress: Progress = None) -> Illuminance:
     """Illuminance (lx) at points, with a standard error each.
 
     surfaces, luminaires: vtkPolyData, or lists of them, as kalos.surface(), quad(), box(), luminaire() and panel() make, or
@@ -43,6 +45,8 @@ def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, n
     estimation, Kalos 1963, with gathering near edges), is unbiased, also at edges. delta, epsilon: m, of the methods with a
     neighbourhood (Budak et al., GraphiCon 2023); None is automatic. seed: the same one gives the same numbers, bit by
     bit, for any number of threads. threads: 0 for all.
+    checkpoint: a file that the solve is kept in every 10 s and when it is interrupted; the same call goes on from there to bitwise
+    the same numbers, and takes the file away when it is done.
     progress: True for a bar on standard error, or a function that is called with a fraction from 0 to 1; what it raises
     ends the solve and is raised again.
 
@@ -85,7 +89,7 @@ def luminance(surfaces: Surfaces, luminaires: Luminaires, position: ArrayLike, t
               up: ArrayLike = (0, 0, 1), fov_deg: float = 45, resolution: Tuple[int, int] = (256, 256),
               error: Optional[float] = None, time: Optional[float] = None, trajectories: Optional[int] = None,
               method: str = DEFAULT_METHOD, delta: Optional[float] = None, epsilon: Optional[float] = None, seed: int = 1,
-              threads: int = 0, progress: Progress = None) -> Luminance:
+              threads: int = 0, checkpoint: Union[None, str, os.PathLike] = None, progress: Progress = None) -> Luminance:
     """Luminance (cd/m2) seen by a camera, with a standard error per pixel, by the double local estimate.
 
     position, target: (3,), m. up: (3,). fov_deg: vertical field of view, degrees. resolution: columns and rows. Without
@@ -127,7 +131,7 @@ def checked(given) -> Options:
             values[name] = convert(str(given[name]))
         except ArgumentTypeError as wrong:
             raise InputError(f"{name}: {wrong}") from None
-    return Options(**values)
+    return Options(**values, checkpoint=given["checkpoint"])
 
 
 def receivers(points, normals):
@@ -156,6 +160,8 @@ def run(filter_, options, progress, quantity, read):
     output = filter_.GetOutputDataObject(0)
     if stopped:
         raise Interrupted(read(output) if output.GetPointData().HasArray(quantity) else None)
+    if options.checkpoint is not None:
+        pathlib.Path(options.checkpoint).unlink(missing_ok=True)
     return read(output)
 
 

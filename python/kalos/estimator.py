@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of an estimate and how they reach the VTK filters."""
 import contextlib
+import dataclasses
+import os
 import re
 from dataclasses import dataclass
 
@@ -28,6 +30,11 @@ class Options:
     time: float = None  # goal: s
     seed: int = 1
     threads: int = 0  # 0 for all
+    checkpoint: str = None  # file that the solve is kept in
+
+    def of_camera(self, name):
+        """The same for a camera, which has a checkpoint of its own."""
+        return self if self.checkpoint is None else dataclasses.replace(self, checkpoint=f"{self.checkpoint}.{name}")
 
     def apply(self, estimator):
         """Sets them on vtkKalosIlluminance or vtkKalosLuminanceImage."""
@@ -39,6 +46,7 @@ class Options:
         estimator.SetSeconds(self.time or 0)
         estimator.SetSeed(self.seed)
         estimator.SetThreads(self.threads)
+        estimator.SetCheckpointFile(None if self.checkpoint is None else os.fspath(self.checkpoint))
 
 
 @contextlib.contextmanager

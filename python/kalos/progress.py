@@ -2,6 +2,7 @@
 """What the user sees while VTK works, and the keys and signals that stop it."""
 import contextlib
 import io
+import os
 import signal
 import sys
 import threading
@@ -61,7 +62,9 @@ def run(algorithm, label, stream=None, patience=0):
     Ctrl-C stops it cleanly, as a KalosError.
     """
     if watch(algorithm, ProgressBar(label, stream, patience), signals=(signal.SIGINT, signal.SIGTERM)):
-        raise KalosError("stopped before the end; nothing was written", FAILED)
+        kept = getattr(algorithm, "GetCheckpointFile", lambda: None)()
+        raise KalosError("stopped before the end; " + (f"the same command goes on from {kept}" if kept and os.path.exists(kept)
+                                                       else "nothing was written"), FAILED)
     return algorithm.GetOutputDataObject(0)
 
 

@@ -45,7 +45,10 @@ def solve(scene, out, options=Options(), say=lambda text: None, preparing=True, 
             from kalos.report import write_report  # its pictures take seconds to import and to draw
 
             write_report(folder, scene, reader, receivers, images, result)
+        kept = [options.checkpoint, *(options.of_camera(name).checkpoint for name in images)] if options.checkpoint else []
         paths = [Path(out) / name for name in sorted(os.listdir(folder)) if name.endswith(".png")]
+    for file in kept:  # the results are in place
+        Path(file).unlink(missing_ok=True)
     say(f"result of {result['method']}, seed {result['seed']}")
     say(figures.result_text(result))
     say(f"solved in {result['seconds']:.3g} s, {result['cpu_seconds']:.3g} s of processor time; set-up {setup:.2g} s")
@@ -143,7 +146,7 @@ def luminance_image(reader, index, options):
     estimator.SetResolution(resolution)
     estimator.SetFieldOfView(reader.GetCameraFieldOfView(index))
     if options:
-        options.apply(estimator)
+        options.of_camera(reader.GetCameraName(index)).apply(estimator)
     return estimator
 
 

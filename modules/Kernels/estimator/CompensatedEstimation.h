@@ -26,6 +26,7 @@ public:
 
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
+  void persist(Archive& archive) override { this->Light.persist(archive); }
   std::vector<AuditLine> audit() const override;
 
 private:

@@ -39,6 +39,9 @@ public:
   /// A round has been scored at all sensors.
   void finish(const Round& round);
 
+  /// Saves or restores what rounds leave behind.
+  void persist(Archive& archive) { archive.array(this->RaysDone); }
+
   AuditLine audit() const;
 
 private:

@@ -27,6 +27,13 @@ public:
   /// Fetches from every rank what audit() needs of the replicates that it owns.
   virtual void exchange(const Ranks&) {}
 
+  /// Saves or restores what addRound() carries from round to round; after exchangeState(), so that a checkpoint serves
+  /// any number of ranks.
+  virtual void persist(Archive&) {}
+
+  /// Fetches from every rank the part of that state that it owns.
+  virtual void exchangeState(const Ranks&) {}
+
   /// Whether `trajectories` (over all replicates) suffice to see what surrounds a receiver; rule (2) of
   /// estimator/Trust.h.
   virtual bool trusts(std::size_t /*receiver*/, long long /*trajectories*/) const { return true; }

@@ -146,6 +146,22 @@ void GatheredEstimation::exchange(const Ranks& ranks)
   });
 }
 
+void GatheredEstimation::persist(Archive& archive)
+{
+  if (this->Direct.complete())
+    return;
+  this->Light.persist(archive);
+  this->Cached->persist(archive);
+  archive.value(this->Trajectories);
+  archive.array(this->Checks);
+}
+
+void GatheredEstimation::exchangeState(const Ranks& ranks)
+{
+  if (this->Cached)
+    this->Cached->exchange(ranks);
+}
+
 bool GatheredEstimation::fromCache(const SurfacePoint& y, int replicate, SampleStream& random, Bands& e) const
 {
   const double u = random.next(), v = random.next();

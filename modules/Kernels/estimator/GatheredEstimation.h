@@ -30,6 +30,8 @@ public:
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
   int replicates(long long trajectories) const override;
   void exchange(const Ranks& ranks) override;
+  void persist(Archive& archive) override;
+  void exchangeState(const Ranks& ranks) override;
   std::vector<AuditLine> audit() const override;
 
 private:

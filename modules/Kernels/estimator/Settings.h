@@ -26,6 +26,7 @@ enum class Method
 };
 
 class Ranks;
+class CheckpointStore;
 
 struct Settings
 {
@@ -41,6 +42,8 @@ struct Settings
   double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; 0: automatic
 
   const Ranks* ranks = nullptr;  ///< processes that share the solve; null: this one alone
+
+  CheckpointStore* checkpoint = nullptr;  ///< where the solve is kept and goes on from; null: nowhere
 
   Walks walks() const { return {this->seed, this->sampling}; }
 };

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "estimator/Checkpoint.h"
 #include "estimator/Estimator.h"
 #include "estimator/KernelAlteration.h"
 #include "estimator/Trust.h"
@@ -149,12 +150,19 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   Result result;
   result.alteredKernel = estimator->altersKernel();
   double showing = 0;  // s that snapshots took
+  Done before;         // by the solve that this one goes on with
   auto clock = [&] {
-    result.seconds = secondsSince(start) - workers.secondsTelling() - showing;
-    result.cpuSeconds = static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC;
+    result.seconds = before.seconds + secondsSince(start) - workers.secondsTelling() - showing;
+    result.cpuSeconds = before.cpuSeconds + static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC;
+    result.rays = before.rays + raysTraced() - raysBefore;
   };
-  long long done = 0;
+  Checkpoint checkpoint(settings.checkpoint, ranks);
   bool running = ranks.together([&] { return estimator->prepare(workers, tally); });
+  if (running && settings.checkpoint)
+    checkpoint.resume(identify(scene, receivers, settings, static_cast<bool>(snapshot)), before, tally, *estimator);
+  long long done = before.trajectories;
+  if (done > 0)
+    conclude(tally, done, *estimator, result);
   while (running)
   {
     clock();
@@ -170,6 +178,8 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
       tally.exchange(ranks);
       estimator->exchange(ranks);
       conclude(tally, done += count, *estimator, result);
+      clock();
+      checkpoint.keep({done, result.seconds, result.cpuSeconds, result.rays}, tally, *estimator);
     }
     if (running && snapshot)
     {
@@ -179,10 +189,11 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
       showing += secondsSince(shown);
     }
   }
+  checkpoint.save();
   result.aborted = !running;
   clock();
   result.cpuSeconds = ranks.sum(result.cpuSeconds);
-  result.rays = static_cast<decltype(result.rays)>(ranks.sum(static_cast<double>(raysTraced() - raysBefore)));
+  result.rays = static_cast<decltype(result.rays)>(ranks.sum(static_cast<double>(result.rays)));
   result.audit = estimator->audit();
   if (ranks.size() > 1)
     result.audit.push_back({"ranks", std::to_string(ranks.size()) + " processes",

@@ -34,6 +34,12 @@ void Tally::exchange(const Ranks& ranks)
   });
 }
 
+void Tally::persist(Archive& archive)
+{
+  for (std::vector<double>* sums : {&this->Fixed, &this->Total, &this->DirectPart, &this->Correction, &this->Largest})
+    archive.array(*sums);
+}
+
 MeanAndError Tally::summary(std::size_t receiver, long long n) const
 {
   const double fixed = photometric(&this->Fixed[receiver * this->BandCount], this->BandCount);

@@ -3,6 +3,7 @@
 #ifndef kalos_estimator_Tally_h
 #define kalos_estimator_Tally_h
 
+#include "estimator/Archive.h"
 #include "estimator/Ranks.h"
 #include "estimator/Settings.h"
 #include "photometry/Bands.h"
@@ -40,6 +41,9 @@ public:
 
   /// Fetches from every rank the sums of the replicates that it owns.
   void exchange(const Ranks& ranks);
+
+  /// Saves or restores the sums, the fixed part too.
+  void persist(Archive& archive);
 
   /// Photometric mean and standard error over the replicates, n trajectories each.
   MeanAndError summary(std::size_t receiver, long long n) const;
