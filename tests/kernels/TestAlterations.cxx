@@ -49,6 +49,8 @@ TEST(SphereAverage, PublishedWeightIsLow)
   }
   EXPECT_NEAR(worst, 0.413, 0.001);
   EXPECT_NEAR(sphereWeight(0.5, 1, {false, true}) / sphereWeight(0.5, 1, {true, true}), 0.487, 0.001);
+  EXPECT_DOUBLE_EQ(sphereWeight(2, 1, {false, true}), 3.0 / 13) << "3/(3d^2 + epsilon^2), outside";
+  EXPECT_DOUBLE_EQ(sphereWeight(0.5, 1, {false, true}), 3 / 2.25) << "3/(d + epsilon)^2, inside";
   // With rejects as zero: V_ball/V_enclosing = 1/(1 + d/epsilon)^3 inside the ball.
   for (double d : {0.2, 0.7})
     EXPECT_NEAR(sphereWeight(d, 1, {false, true}) / sphereWeight(d, 1, {true, false}), 1 / std::pow(1 + d, 3), 1e-12);

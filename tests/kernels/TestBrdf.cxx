@@ -123,6 +123,21 @@ TEST(Brdf, MirrorIsDrawnByItsShare)
   EXPECT_NEAR(s.direction.z, wo.z, 1e-15);
   EXPECT_FALSE(brdf.sample(n, wo, uniformBands(1), 0.51, 0.1, 0.2).mirror);
   EXPECT_FALSE(brdf.sample(n, wo, uniformBands(1), 0.81, 0.1, 0.2).alive);
+  // With gloss beside the mirror nothing is reflected beyond what both reflect.
+  Material both = satin(0, 0.6, 0.3);
+  both.mirror = 0.3;
+  const Brdf glossy(both, 1);
+  const double albedo = 0.3 + glossy.albedo(wo.z, uniformBands(1));
+  EXPECT_TRUE(glossy.sample(n, wo, uniformBands(1), albedo - 0.02, 0.1, 0.2).alive);
+  EXPECT_FALSE(glossy.sample(n, wo, uniformBands(1), albedo + 0.02, 0.1, 0.2).alive);
+}
+
+// Nearly a mirror: the lobe reflects by Schlick's formula, F0 + (1 - F0)(1 - cos)^5.
+TEST(Brdf, NarrowLobeReflectsBySchlick)
+{
+  const Brdf brdf(satin(0, 0.3, 0.02), 1);
+  for (const double mu : {0.3, 0.5, 0.8, 1.0})
+    EXPECT_NEAR(brdf.albedo(mu, uniformBands(1)), 0.3 + 0.7 * std::pow(1 - mu, 5), 5e-3) << mu;
 }
 
 // Every elementary interval of area 2^-8 holds one of the first 256 points: a (0,2)-sequence, whatever the scrambling.

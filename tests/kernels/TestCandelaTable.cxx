@@ -2,7 +2,7 @@
 // Candela tables: look-up, flux and sampling against each other and against closed forms.
 #include <gtest/gtest.h>
 
-#include "photometry/CandelaTable.h"
+#include "luminaire/Luminaire.h"
 #include "sampling/Random.h"
 
 using namespace kalos;
@@ -78,6 +78,28 @@ TEST(CandelaTable, directionsMeetTheirAngles)
   EXPECT_EQ(c.intensity({-1, 0, 0}), 0);
   EXPECT_EQ(b.intensity({0, 0, -1}), 0);
   EXPECT_GT(b.intensity({0, 0, 1}), 0);
+}
+
+// Lit in one octant only: every sample lies there, also when the luminaire is turned.
+TEST(CandelaTable, samplesLieWhereThereIsLight)
+{
+  for (auto pole : {CandelaTable::Pole::Axis, CandelaTable::Pole::Side})
+  {
+    Luminaire lamp;
+    lamp.distribution = Distribution::Measured;
+    lamp.flux = 100;
+    lamp.axis = normalized(Vec3{1, 2, -2});
+    lamp.up = normalized(cross(lamp.axis, Vec3{0, 0, 1}));
+    lamp.table = std::make_shared<CandelaTable>(tabulate(
+        {0, 40, 90}, 10, 90, [](double, double) { return 1; }, pole));
+    RandomStream random(1, 0, Purpose::Trajectory, 0);
+    for (int i = 0; i < 500; ++i)
+    {
+      const double u1 = random.next(), u2 = random.next();
+      EXPECT_GT(lamp.table->intensity(lamp.table->sample(u1, u2)), 0);
+      EXPECT_GT(intensity(lamp, sampleDirection(lamp, u1, u2)), 0);
+    }
+  }
 }
 
 TEST(CandelaTable, closedCirclesHaveNoSeam)

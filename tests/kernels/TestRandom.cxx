@@ -57,6 +57,18 @@ TEST(Warp, SharesOfDirections)
       cosine += cosineHemisphere(u1, u2).z > std::cos(pi / 6);
       uniform += uniformSphere(u1, u2).z > 0.5;
     }
+  // The half-size triangle at the first corner has a quarter of the area, that at the third too.
+  int first = 0, third = 0;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+    {
+      double b1, b2;
+      uniformTriangle((i + 0.5) / n, (j + 0.5) / n, b1, b2);
+      first += b1 + b2 < 0.5;
+      third += b2 > 0.5;
+    }
+  EXPECT_NEAR(first / double(n * n), 0.25, 1e-9);
+  EXPECT_NEAR(third / double(n * n), 0.25, 2e-3);  // cells of the square straddle its border
   EXPECT_NEAR(cosine / double(n * n), 0.25, 1e-9);
   EXPECT_NEAR(uniform / double(n * n), 0.25, 1e-9);
 }

@@ -47,6 +47,20 @@ TEST(SampleStream, SobolWalksAreStratified)
   }
 }
 
+// The first eight points, as published with the direction numbers of Joe and Kuo (2008), in eighths.
+TEST(SampleStream, SobolPointsAreThePublishedOnes)
+{
+  constexpr int eighths[8][dimensions] = {{0, 0, 0, 0}, {4, 4, 4, 4}, {2, 6, 6, 6}, {6, 2, 2, 2},
+                                          {1, 5, 3, 1}, {5, 1, 7, 5}, {3, 3, 5, 7}, {7, 7, 1, 3}};
+  for (std::uint32_t i = 0; i < 8; ++i)
+  {
+    std::uint32_t bits[dimensions];
+    sobolBits(i, dimensions, bits);
+    for (int d = 0; d < dimensions; ++d)
+      EXPECT_EQ(bits[d], static_cast<std::uint32_t>(eighths[i][d]) << 29) << "point " << i << ", dimension " << d;
+  }
+}
+
 // All four dimensions at once: 16 cells of 16 points among 256; independent points leave that at once.
 TEST(SampleStream, SobolFillsFourDimensionsEvenly)
 {
