@@ -125,17 +125,17 @@ void UnshadowedPairs(benchmark::State& state)
   const Scene scene(room());
   const Receivers receivers = floorGrid(16);
   const VertexSet v = traceTrajectories(scene, Emission(scene), {}, 0, 0, 3200).reflected;
-  PairBlock block;
+  TileScores scores;
   std::size_t pairs = 0;
   for (auto _ : state)
     for (std::size_t i = 0; i < receivers.points.size(); ++i)
     {
       const Sensor r(scene, receivers.points[i] - scene.origin(), receivers.normals[i]);
-      for (std::size_t begin = 0; begin + PairBlock::capacity <= v.size(); begin += PairBlock::capacity)
+      for (std::size_t begin = 0; begin + VertexTile::capacity <= v.size(); begin += VertexTile::capacity)
       {
-        formPairs(v, begin, PairBlock::capacity, r, 0, block);
-        benchmark::DoNotOptimize(block.count);
-        pairs += PairBlock::capacity;
+        scoreTile({v, begin, VertexTile::capacity}, r, 0.01, scores);
+        benchmark::DoNotOptimize(scores.laneSum[0]);
+        pairs += VertexTile::capacity;
       }
     }
   state.counters["pairs/s"] = benchmark::Counter(static_cast<double>(pairs), benchmark::Counter::kIsRate);

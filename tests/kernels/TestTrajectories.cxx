@@ -4,6 +4,7 @@
 #include "Rooms.h"
 #include "estimator/PairKernel.h"
 #include "estimator/Trajectories.h"
+#include "sampling/Warp.h"
 
 using namespace kalos;
 
@@ -107,4 +108,52 @@ TEST(PairKernel, AgreesWithTheFormula)
     }
   }
   EXPECT_NEAR(double(scored), double(expected), 2);
+}
+
+// Down to a distance of 1e-6 m and beyond the scene, in both forms and for tiles that are no whole number of lanes: as
+// exact as estimator/VectorKernel.h says, against double precision at the same vertices.
+TEST(VectorKernel, IsExactAtEveryDistance)
+{
+  const Scene scene(rooms::furnace(0.6, 0));
+  const Vec3 n = normalized(Vec3{0.2, 0.3, 1});
+  const Sensor sensor(scene, Vec3{2.4, 0.5, 1} - scene.origin(), n);
+  RandomStream random(1, 0, Purpose::Selection, 0);
+  auto direction = [&] {
+    const double u1 = random.next(), u2 = random.next();
+    return uniformSphere(u1, u2);
+  };
+  VertexSet v;
+  for (int i = 0; i < 1000; ++i)
+    v.add(scene, sensor.position + std::pow(10, 8 * random.next() - 6) * direction(), direction(),
+          uniformBands(1 + random.next()), 0.1 + random.next());
+  double largestError = 0;
+  std::size_t scored = 0;
+  for (double share : {0.0, 0.02, 5.0})
+    for (int size : {1, 15, 16, 100, 128})
+      for (std::size_t begin = 0; begin + size <= v.size(); begin += size)
+      {
+        float kernel[VertexTile::capacity];
+        TileScores scores;
+        evaluateKernels({v, begin, size}, sensor, share, kernel);
+        scoreTile({v, begin, size}, sensor, share, scores);
+        double sum = 0, laneSum = 0, largest = 0;
+        for (int i = 0; i < size; ++i)
+        {
+          const Vec3 d = v.position(begin + i) - sensor.position;
+          const double d2 = dot(d, d);
+          const double g = std::max(0.0, dot(d, n)) * std::max(0.0, -dot(d, v.normal(begin + i))) / (pi * d2 * d2);
+          const double expected = g / (1 + g * share * double(v.inverseDensity[begin + i]));
+          largestError = std::max(largestError, std::abs(double(kernel[i]) - expected) * pi * d2);
+          EXPECT_NEAR(scores.score[i], kernel[i] * v.luminous[begin + i], 1e-6 * double(scores.score[i]));
+          scored += kernel[i] > 0;
+          sum += double(scores.score[i]);
+          largest = std::max(largest, double(scores.score[i]));
+        }
+        for (float part : scores.laneSum)
+          laneSum += double(part);
+        EXPECT_NEAR(laneSum, sum, 1e-6 * sum);
+        EXPECT_EQ(scores.largest, float(largest));
+      }
+  EXPECT_LT(largestError, 1e-6);
+  EXPECT_GT(scored, 3000u);
 }

@@ -15,7 +15,7 @@ namespace
 // Vertices of a trajectory come together and are shared by all receivers, so a gather ray is worth more than the
 // balance heuristic says: of 1/4, 1, 4 and 12 times this gave the least variance per second, in the open and at edges.
 constexpr double rayWorth = 12;
-constexpr int picksPerBlock = SegmentPacket::width;
+constexpr int verticesPerPick = 8;
 
 // Where no surface in front is nearer than this share of the square root of the scene's area, vertices alone had no
 // more variance than with gather rays: in a closet, an office and a hall with furniture, and a dark room behind a door.
@@ -100,10 +100,10 @@ void CompensatedLight::scoreVertices(const Sensor& sensor, std::size_t r, int re
   RandomStream random = receiverStream(this->Wanted.seed, replicate, Purpose::Selection, r, round.first);
   const RayScene* rays = this->Shadows ? &this->Lit.rays() : nullptr;
   auto score = [&](const VertexSet& set, double* sum) {
-    for (std::size_t begin = 0; begin < set.size(); begin += PairBlock::capacity)
+    for (std::size_t begin = 0; begin < set.size(); begin += VertexTile::capacity)
     {
-      const auto count = static_cast<int>(std::min<std::size_t>(PairBlock::capacity, set.size() - begin));
-      const ShadowPicks shadows{rays, picksPerBlock, random.next()};
+      const auto count = static_cast<int>(std::min<std::size_t>(VertexTile::capacity, set.size() - begin));
+      const ShadowPicks shadows{rays, (count + verticesPerPick - 1) / verticesPerPick, random.next()};
       tally.noteScore(r, replicate, addPickedScores(set, begin, count, sensor, share, shadows, sum));
     }
   };

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/PairKernel.h"
 
-#include "estimator/Multiversion.h"
-
 namespace kalos
 {
 namespace
@@ -15,23 +13,6 @@ struct FloatVector
   {
   }
 };
-
-// kernel = G / (1 + G share / density) of every vertex, 0 where one of the two looks away.
-KALOS_MULTIVERSION
-void evaluate(const float* px, const float* py, const float* pz, const float* nx, const float* ny, const float* nz,
-              const float* inverseDensity, int count, FloatVector r, FloatVector n, float share, float* kernel)
-{
-  for (int i = 0; i < count; ++i)
-  {
-    const float dx = px[i] - r.x, dy = py[i] - r.y, dz = pz[i] - r.z;
-    const float d2 = dx * dx + dy * dy + dz * dz;
-    const float atSensor = dx * n.x + dy * n.y + dz * n.z;           // d cos(theta)
-    const float atVertex = -(dx * nx[i] + dy * ny[i] + dz * nz[i]);  // d cos(theta')
-    const float product = (atSensor > 0 ? atSensor : 0) * (atVertex > 0 ? atVertex : 0);
-    // G = product / (pi d^4), so that G / (1 + G/G*) = product / (pi d^4 + product/G*).
-    kernel[i] = product / (3.14159265f * d2 * d2 + product * share * inverseDensity[i] + 1e-30f);
-  }
-}
 
 // The general case, one pair at a time: a glossy vertex, a glossy sensor or both.
 void formGlossyPairs(const VertexSet& v, std::size_t begin, int count, const Sensor& sensor, double share,
@@ -66,19 +47,13 @@ void formGlossyPairs(const VertexSet& v, std::size_t begin, int count, const Sen
 }
 }  // namespace
 
-void evaluateKernels(const VertexSet& v, std::size_t begin, int count, const Sensor& s, double share, float* kernel)
-{
-  evaluate(&v.px[begin], &v.py[begin], &v.pz[begin], &v.nx[begin], &v.ny[begin], &v.nz[begin], &v.inverseDensity[begin],
-           count, FloatVector(s.position), FloatVector(s.normal), static_cast<float>(share), kernel);
-}
-
 void formPairs(const VertexSet& v, std::size_t begin, int count, const Sensor& sensor, double share, PairBlock& block)
 {
   if (v.isGlossy() || sensor.brdf)
     return formGlossyPairs(v, begin, count, sensor, share, block);
   block.factor.clear();
   alignas(64) float kernel[PairBlock::capacity];
-  evaluateKernels(v, begin, count, sensor, share, kernel);
+  evaluateKernels({v, begin, count}, sensor, share, kernel);
 
   // Compact without branches: most pairs of a convex room score, few of a furnished one do.
   int kept = 0;

@@ -4,14 +4,14 @@
 #define kalos_estimator_PairKernel_h
 
 #include "estimator/Sensor.h"
-#include "estimator/VertexSet.h"
+#include "estimator/VectorKernel.h"
 
 namespace kalos
 {
 /// A run of vertices paired with one sensor; only those that score are kept.
 struct PairBlock
 {
-  static constexpr int capacity = 128;
+  static constexpr int capacity = VertexTile::capacity;
   int count = 0;
   int index[capacity];         ///< of the vertex in its set
   float kernel[capacity];      ///< 1/m2, what the method scores: a(G) G, or an altered kernel
@@ -21,8 +21,7 @@ struct PairBlock
 
 /// Fills `block` with the pairs that score among vertices [begin, begin + count), count <= PairBlock::capacity:
 /// kernel = G / (1 + f^ G/G*), with G* = vertex density / share, where `share` is the number of gather rays per
-/// trajectory (0: the plain kernel) and f^ the lobe ratio of a glossy vertex. The Lambertian case is vector code for
-/// AVX-512, AVX2 and SSE2, chosen at run time.
+/// trajectory (0: the plain kernel) and f^ the lobe ratio of a glossy vertex.
 void formPairs(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double share,
                PairBlock& block);
 
@@ -33,10 +32,6 @@ void formNearPairs(const VertexSet& vertices, std::size_t begin, int count, cons
 
 /// Removes the pairs that do not see each other: one shadow ray each, in packets of sixteen.
 void keepVisible(const RayScene& rays, const VertexSet& vertices, const Sensor& sensor, PairBlock& block);
-
-/// The kernels of formPairs() for a Lambertian set and sensor, not compacted: 0 where a pair does not score.
-void evaluateKernels(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double share,
-                     float* kernel);
 
 /// Segments from the sensor to the `count` <= 16 vertices of these indices; idle lanes repeat the last one.
 void fillPacket(const VertexSet& vertices, const Sensor& sensor, const int* indices, int count, SegmentPacket& packet);

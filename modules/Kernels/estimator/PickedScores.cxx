@@ -1,65 +1,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/PickedScores.h"
 
-#include "estimator/Multiversion.h"
-
 namespace kalos
 {
 namespace
 {
-constexpr int lane = 16;  // scores are summed in groups of this many
+constexpr int lanes = VertexTile::lanes;
 
-// score[i] = kernel[i] luminous[i], padded with zeros to whole groups; sum of every group; returns the largest score.
-KALOS_MULTIVERSION
-float weigh(const float* kernel, const float* luminous, int count, float* score, float* groups)
+double totalOf(const TileScores& scores)
 {
-  for (int i = 0; i < count; ++i)
-    score[i] = kernel[i] * luminous[i];
-  for (int i = count; i < (count + lane - 1) / lane * lane; ++i)
-    score[i] = 0;
-  float largest[lane] = {};
-  for (int g = 0; g * lane < count; ++g)
-  {
-    float parts[lane];
-    for (int i = 0; i < lane; ++i)
-    {
-      parts[i] = score[g * lane + i];
-      largest[i] = largest[i] > parts[i] ? largest[i] : parts[i];
-    }
-    // Halves are added to halves: vector additions, and the same order on every processor.
-    for (int half = lane / 2; half > 0; half /= 2)
-      for (int i = 0; i < half; ++i)
-        parts[i] += parts[i + half];
-    groups[g] = parts[0];
-  }
-  return *std::max_element(largest, largest + lane);
+  double total = 0;
+  for (const float part : scores.laneSum)
+    total += static_cast<double>(part);
+  return total;
 }
 
-// Indices at which the cumulative score passes (k + u) total/picks, k = 0 .. picks-1; returns how many there are.
-int pickSystematically(const float* score, const float* groups, int count, double total, const ShadowPicks& shadows,
-                       int* picked)
+// What was picked, each once.
+struct Picks
+{
+  int count = 0;
+  int index[ShadowPicks::mostPicks];
+  int times[ShadowPicks::mostPicks];
+};
+
+// Where the cumulative score, lane after lane, passes (k + u) total/picks, k = 0 .. picks-1.
+Picks pickSystematically(const TileScores& scores, int count, double total, const ShadowPicks& shadows)
 {
   const double step = total / shadows.picks;
-  int found = 0;
+  Picks found;
+  int k = 0;
   double before = 0;
-  for (int g = 0; g * lane < count && found < shadows.picks; ++g)
+  for (int lane = 0; lane < lanes && k < shadows.picks; ++lane)
   {
     double reached = before;
-    before += static_cast<double>(groups[g]);
-    if (before <= (found + shadows.u) * step)
+    before += static_cast<double>(scores.laneSum[lane]);
+    if (before <= (k + shadows.u) * step)
       continue;
-    for (int i = g * lane; i < (g + 1) * lane && found < shadows.picks; ++i)
+    for (int i = lane; i < count && k < shadows.picks; i += lanes)
     {
-      reached += static_cast<double>(score[i]);
-      while (found < shadows.picks && score[i] > 0 && (found + shadows.u) * step < reached)
-        picked[found++] = i;
+      reached += static_cast<double>(scores.score[i]);
+      int times = 0;
+      for (; k < shadows.picks && scores.score[i] > 0 && (k + shadows.u) * step < reached; ++k)
+        ++times;
+      if (times == 0)
+        continue;
+      found.index[found.count] = i;
+      found.times[found.count++] = times;
     }
   }
   return found;
 }
 
-// Bit k is set when the k-th of these `count` <= 16 vertices is hidden from the sensor.
-std::uint32_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sensor& sensor, const int* indices,
+// Bit k is set when the k-th of these vertices is hidden from the sensor.
+std::uint64_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sensor& sensor, const int* indices,
                              int count)
 {
   if (count == 1)
@@ -68,9 +61,15 @@ std::uint32_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sen
     const double offset = v.offset[j];
     return rays.occluded(sensor.rayOrigin, v.position(j) + offset * v.normal(j));
   }
+  std::uint64_t hidden = 0;
   SegmentPacket packet;
-  fillPacket(v, sensor, indices, count, packet);
-  return rays.occluded(packet, count);
+  for (int first = 0; first < count; first += SegmentPacket::width)
+  {
+    const int size = std::min(SegmentPacket::width, count - first);
+    fillPacket(v, sensor, indices + first, size, packet);
+    hidden |= static_cast<std::uint64_t>(rays.occluded(packet, size)) << first;
+  }
+  return hidden;
 }
 
 // The general case: pairs with BRDF factors.
@@ -83,32 +82,31 @@ double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block
       keepVisible(*shadows.rays, v, sensor, block);
     return addScores(v, block, sum);
   }
-  float scores[PairBlock::capacity], groups[PairBlock::capacity / lane], ones[PairBlock::capacity];
-  std::fill_n(ones, block.count, 1.0f);
-  double total = 0;
+  TileScores scores{};
   for (int i = 0; i < block.count; ++i)
-    scores[i] = static_cast<float>(luminousScore(v, block, i));
-  const float largest = weigh(scores, ones, block.count, scores, groups);
-  for (int g = 0; g * lane < block.count; ++g)
-    total += static_cast<double>(groups[g]);
-  int picked[SegmentPacket::width];
-  const int count = pickSystematically(scores, groups, block.count, total, shadows, picked);
-  if (count == 0)
-    return static_cast<double>(largest);
-  int vertices[SegmentPacket::width];
-  for (int k = 0; k < count; ++k)
-    vertices[k] = block.index[picked[k]];
-  const std::uint32_t hidden = hiddenVertices(*shadows.rays, v, sensor, vertices, count);
-  for (int k = 0; k < count; ++k)
+  {
+    scores.score[i] = static_cast<float>(luminousScore(v, block, i));
+    scores.laneSum[i % lanes] += scores.score[i];
+    scores.largest = std::max(scores.largest, scores.score[i]);
+  }
+  const auto largest = static_cast<double>(scores.largest);
+  const double total = totalOf(scores);
+  const Picks picks = pickSystematically(scores, block.count, total, shadows);
+  int vertices[ShadowPicks::mostPicks];
+  for (int k = 0; k < picks.count; ++k)
+    vertices[k] = block.index[picks.index[k]];
+  const std::uint64_t hidden = hiddenVertices(*shadows.rays, v, sensor, vertices, picks.count);
+  for (int k = 0; k < picks.count; ++k)
   {
     if (hidden >> k & 1)
       continue;
-    const int i = picked[k], j = block.index[i];
-    const double weight = total / shadows.picks / static_cast<double>(scores[i]) * static_cast<double>(block.kernel[i]);
+    const int i = picks.index[k], j = block.index[i];
+    const double weight = picks.times[k] * total / shadows.picks / static_cast<double>(scores.score[i]) *
+                          static_cast<double>(block.kernel[i]);
     for (std::size_t b = 0; b < v.flux.size(); ++b)
       sum[b] += weight * static_cast<double>(v.flux[b][j]) * block.factor[i][b];
   }
-  return static_cast<double>(largest);
+  return largest;
 }
 }  // namespace
 
@@ -121,16 +119,22 @@ double addPickedScores(const VertexSet& v, std::size_t begin, int count, const S
     formPairs(v, begin, count, sensor, share, block);
     return addPickedPairs(v, sensor, block, shadows, sum);
   }
-  alignas(64) float kernel[PairBlock::capacity], score[PairBlock::capacity], groups[PairBlock::capacity / lane];
-  evaluateKernels(v, begin, count, sensor, share, kernel);
-  const auto largest = static_cast<double>(weigh(kernel, &v.luminous[begin], count, score, groups));
-  double total = 0;
-  for (int g = 0; g * lane < count; ++g)
-    total += static_cast<double>(groups[g]);
+  const VertexTile tile{v, begin, count};
+  TileScores scores;
+  scoreTile(tile, sensor, share, scores);
+  const auto largest = static_cast<double>(scores.largest);
+  const double total = totalOf(scores);
   if (!(total > 0))
     return 0;
   if (!shadows.rays)
   {
+    if (v.flux.size() == 1)
+    {
+      sum[0] += total;
+      return largest;
+    }
+    alignas(64) float kernel[VertexTile::capacity];
+    evaluateKernels(tile, sensor, share, kernel);
     for (std::size_t b = 0; b < v.flux.size(); ++b)
     {
       double all = 0;
@@ -140,21 +144,18 @@ double addPickedScores(const VertexSet& v, std::size_t begin, int count, const S
     }
     return largest;
   }
-  int picked[SegmentPacket::width];
-  const int found = pickSystematically(score, groups, count, total, shadows, picked);
-  if (found == 0)
-    return largest;
-  int vertices[SegmentPacket::width];
-  for (int k = 0; k < found; ++k)
-    vertices[k] = static_cast<int>(begin) + picked[k];
-  const std::uint32_t hidden = hiddenVertices(*shadows.rays, v, sensor, vertices, found);
-  for (int k = 0; k < found; ++k)
+  const Picks picks = pickSystematically(scores, count, total, shadows);
+  int vertices[ShadowPicks::mostPicks];
+  for (int k = 0; k < picks.count; ++k)
+    vertices[k] = static_cast<int>(begin) + picks.index[k];
+  const std::uint64_t hidden = hiddenVertices(*shadows.rays, v, sensor, vertices, picks.count);
+  for (int k = 0; k < picks.count; ++k)
   {
     if (hidden >> k & 1)
       continue;
     // total/picks is the luminous score of a pick; its bands are those of its vertex.
     const auto j = static_cast<std::size_t>(vertices[k]);
-    const double weight = total / shadows.picks / static_cast<double>(v.luminous[j]);
+    const double weight = picks.times[k] * total / shadows.picks / static_cast<double>(v.luminous[j]);
     for (std::size_t b = 0; b < v.flux.size(); ++b)
       sum[b] += weight * static_cast<double>(v.flux[b][j]);
   }

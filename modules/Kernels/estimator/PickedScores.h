@@ -7,16 +7,19 @@
 
 namespace kalos
 {
-/// How shadow rays are spent on a block: `rays` null where nothing can occlude, else at most `picks` (1..16) of them go
-/// to pairs picked in proportion to their luminous scores, systematically from one random number u in [0,1).
+/// How shadow rays are spent on a tile: `rays` null where nothing can occlude, else at most `picks` (1..mostPicks) of
+/// them go to pairs picked in proportion to their luminous scores, systematically from one random number u in [0,1).
 struct ShadowPicks
 {
+  static constexpr int mostPicks = 4 * SegmentPacket::width;
+
   const RayScene* rays;
   int picks;
   double u;
 };
 
-/// An unbiased estimate of formPairs(), keepVisible() and addScores() together. Returns the largest luminous score.
+/// An unbiased estimate of formPairs(), keepVisible() and addScores() together, for a tile of count <=
+/// VertexTile::capacity vertices. Returns the largest luminous score.
 double addPickedScores(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double share,
                        const ShadowPicks& shadows, double* sum);
 }  // namespace kalos
