@@ -7,7 +7,7 @@
 // second, the luminance where they end being (M0 + rho E)/pi by the same estimator (estimator/Gathering.h). The balance
 // heuristic gives G* = (trajectories x collision density per trajectory and m2) / (gather rays), with the density about
 // the vertex from a pilot. Shadow rays go to vertices picked in proportion to their unshadowed scores, one for every
-// eight. Receivers with no surface near in front take all from the vertices (G* infinite): there the kernel is
+// sixteen. Receivers with no surface near in front take all from the vertices (G* infinite): there the kernel is
 // bounded anyway. Bias: none. Source: compensation of clamped virtual lights (Kollig and Keller 2004) with a smooth
 // split.
 #ifndef kalos_estimator_CompensatedEstimation_h

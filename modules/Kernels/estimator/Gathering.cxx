@@ -10,16 +10,11 @@ Gathering::Gathering(const Scene& scene, const Emission& emission, const Walks& 
 {
 }
 
-namespace
-{
-constexpr double rayWorth = 4;
-}
-
 double Gathering::blockShare(int trajectories) const
 {
-  // One gather ray against the trajectories that a block stands for, worth four by measurement as in the first step.
+  // One gather ray against the trajectories that a block stands for.
   const double vertices = std::max(this->Density.collisions(), this->Density.starts()) * trajectories;
-  return rayWorth / (trajectories * std::min(1.0, blockSize / vertices));
+  return 1 / (trajectories * std::min(1.0, blockSize / vertices));
 }
 
 bool Gathering::draw(const Sensor& sensor, SampleStream& random, Ray& ray, Bands& throughput) const

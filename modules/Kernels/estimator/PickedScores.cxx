@@ -7,14 +7,6 @@ namespace
 {
 constexpr int lanes = VertexTile::lanes;
 
-double totalOf(const TileScores& scores)
-{
-  double total = 0;
-  for (const float part : scores.laneSum)
-    total += static_cast<double>(part);
-  return total;
-}
-
 // What was picked, each once.
 struct Picks
 {
@@ -24,29 +16,27 @@ struct Picks
 };
 
 // Where the cumulative score, lane after lane, passes (k + u) total/picks, k = 0 .. picks-1.
-Picks pickSystematically(const TileScores& scores, int count, double total, const ShadowPicks& shadows)
+Picks pickSystematically(const TileScores& scores, double total, const ShadowPicks& shadows)
 {
   const double step = total / shadows.picks;
   Picks found;
   int k = 0;
-  double before = 0;
+  double before = 0, next = shadows.u * step;
   for (int lane = 0; lane < lanes && k < shadows.picks; ++lane)
   {
-    double reached = before;
-    before += static_cast<double>(scores.laneSum[lane]);
-    if (before <= (k + shadows.u) * step)
-      continue;
-    for (int i = lane; i < count && k < shadows.picks; i += lanes)
+    const double end = before + static_cast<double>(scores.laneSum(lane));
+    for (int i = lane; next < end && k < shadows.picks; i += lanes)
     {
-      reached += static_cast<double>(scores.score[i]);
-      int times = 0;
-      for (; k < shadows.picks && scores.score[i] > 0 && (k + shadows.u) * step < reached; ++k)
-        ++times;
-      if (times == 0)
-        continue;
+      while (before + static_cast<double>(scores.reached[i]) <= next)
+        i += lanes;
       found.index[found.count] = i;
-      found.times[found.count++] = times;
+      found.times[found.count] = 0;
+      for (; k < shadows.picks && next < before + static_cast<double>(scores.reached[i]);
+           next = (++k + shadows.u) * step)
+        ++found.times[found.count];
+      ++found.count;
     }
+    before = end;
   }
   return found;
 }
@@ -83,15 +73,17 @@ double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block
     return addScores(v, block, sum);
   }
   TileScores scores{};
-  for (int i = 0; i < block.count; ++i)
+  float luminous[PairBlock::capacity];
+  scores.count = VertexTile{v, 0, block.count}.paddedCount();
+  for (int i = 0; i < scores.count; ++i)
   {
-    scores.score[i] = static_cast<float>(luminousScore(v, block, i));
-    scores.laneSum[i % lanes] += scores.score[i];
-    scores.largest = std::max(scores.largest, scores.score[i]);
+    luminous[i] = i < block.count ? static_cast<float>(luminousScore(v, block, i)) : 0;
+    scores.reached[i] = (i < lanes ? 0 : scores.reached[i - lanes]) + luminous[i];
+    scores.largest = std::max(scores.largest, luminous[i]);
   }
   const auto largest = static_cast<double>(scores.largest);
-  const double total = totalOf(scores);
-  const Picks picks = pickSystematically(scores, block.count, total, shadows);
+  const double total = scores.total();
+  const Picks picks = pickSystematically(scores, total, shadows);
   int vertices[ShadowPicks::mostPicks];
   for (int k = 0; k < picks.count; ++k)
     vertices[k] = block.index[picks.index[k]];
@@ -101,7 +93,7 @@ double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block
     if (hidden >> k & 1)
       continue;
     const int i = picks.index[k], j = block.index[i];
-    const double weight = picks.times[k] * total / shadows.picks / static_cast<double>(scores.score[i]) *
+    const double weight = picks.times[k] * total / shadows.picks / static_cast<double>(luminous[i]) *
                           static_cast<double>(block.kernel[i]);
     for (std::size_t b = 0; b < v.flux.size(); ++b)
       sum[b] += weight * static_cast<double>(v.flux[b][j]) * block.factor[i][b];
@@ -123,7 +115,7 @@ double addPickedScores(const VertexSet& v, std::size_t begin, int count, const S
   TileScores scores;
   scoreTile(tile, sensor, share, scores);
   const auto largest = static_cast<double>(scores.largest);
-  const double total = totalOf(scores);
+  const double total = scores.total();
   if (!(total > 0))
     return 0;
   if (!shadows.rays)
@@ -144,7 +136,7 @@ double addPickedScores(const VertexSet& v, std::size_t begin, int count, const S
     }
     return largest;
   }
-  const Picks picks = pickSystematically(scores, count, total, shadows);
+  const Picks picks = pickSystematically(scores, total, shadows);
   int vertices[ShadowPicks::mostPicks];
   for (int k = 0; k < picks.count; ++k)
     vertices[k] = static_cast<int>(begin) + picks.index[k];

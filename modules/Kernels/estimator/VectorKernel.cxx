@@ -59,9 +59,10 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// out = G / (1 + G share inverseDensity); if weighed times luminous, summed up lane by lane. Returns the largest then.
+// out = G / (1 + G share inverseDensity); if weighed times luminous, summed up along each lane. Returns the largest
+// then.
 template <bool weighed>
-HWY_INLINE float evaluate(TileArrays v, const SensorNumbers& s, float* HWY_RESTRICT out, float* HWY_RESTRICT laneSum)
+HWY_INLINE float evaluate(TileArrays v, const SensorNumbers& s, float* HWY_RESTRICT out)
 {
   const hn::CappedTag<float, VertexTile::lanes> d;
   constexpr int width = hn::MaxLanes(hn::CappedTag<float, VertexTile::lanes>()), parts = VertexTile::lanes / width;
@@ -90,26 +91,24 @@ HWY_INLINE float evaluate(TileArrays v, const SensorNumbers& s, float* HWY_RESTR
       const auto below = hn::Add(hn::Add(hn::Mul(d2, d2), least), hn::Mul(product, limit));
       const auto weight = weighed ? hn::LoadU(d, v.luminous + i) : one;
       const auto value = hn::Div(hn::Mul(product, weight), below);
-      hn::StoreU(value, d, out + i);
       if (weighed)
       {
         sum[part] = hn::Add(sum[part], value);
         largest = hn::Max(largest, value);
       }
+      hn::StoreU(weighed ? sum[part] : value, d, out + i);
     }
-  for (int part = 0; part < parts && weighed; ++part)
-    hn::StoreU(sum[part], d, laneSum + part * width);
   return weighed ? hn::GetLane(hn::MaxOfLanes(d, largest)) : 0;
 }
 
 void kernels(const TileArrays& v, const SensorNumbers& s, float* kernel)
 {
-  evaluate<false>(v, s, kernel, nullptr);
+  evaluate<false>(v, s, kernel);
 }
 
-float scores(const TileArrays& v, const SensorNumbers& s, float* score, float* laneSum)
+float scores(const TileArrays& v, const SensorNumbers& s, float* reached)
 {
-  return evaluate<true>(v, s, score, laneSum);
+  return evaluate<true>(v, s, reached);
 }
 }  // namespace HWY_NAMESPACE
 }  // namespace kalos
@@ -154,7 +153,8 @@ void evaluateKernels(const VertexTile& tile, const Sensor& sensor, double share,
 void scoreTile(const VertexTile& tile, const Sensor& sensor, double share, TileScores& scored)
 {
   forGroups(tile, [&](const TileArrays& v) {
-    scored.largest = HWY_DYNAMIC_DISPATCH(scores)(v, SensorNumbers(sensor, share), scored.score, scored.laneSum);
+    scored.largest = HWY_DYNAMIC_DISPATCH(scores)(v, SensorNumbers(sensor, share), scored.reached);
+    scored.count = v.count;
   });
 }
 }  // namespace kalos

@@ -34,12 +34,22 @@ struct VertexTile
 /// kernel[i] = G / (1 + G/G*), 1/m2, 0 where one of the two looks away; paddedCount() values.
 void evaluateKernels(const VertexTile& tile, const Sensor& sensor, double share, float* kernel);
 
-/// Luminous scores, lx times trajectories: paddedCount() values, zero beyond count.
+/// Luminous scores, lx times trajectories, as they add up along the lanes.
 struct TileScores
 {
-  alignas(64) float score[VertexTile::capacity];
-  alignas(64) float laneSum[VertexTile::lanes];  ///< of the scores i with i % lanes = 0, 1, ...
-  float largest;
+  alignas(64) float reached[VertexTile::capacity];  ///< by vertex i: the sum of the scores of i, i - lanes, i - 2
+                                                    ///< lanes, ...
+  int count;                                        ///< the tile's paddedCount()
+  float largest;                                    ///< single score
+
+  float laneSum(int lane) const { return this->reached[this->count - VertexTile::lanes + lane]; }
+  double total() const
+  {
+    double sum = 0;
+    for (int lane = 0; lane < VertexTile::lanes; ++lane)
+      sum += static_cast<double>(this->laneSum(lane));
+    return sum;
+  }
 };
 void scoreTile(const VertexTile& tile, const Sensor& sensor, double share, TileScores& scores);
 }  // namespace kalos
