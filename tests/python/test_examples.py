@@ -2,6 +2,10 @@
 """The examples run, here with less effort, say what they should, and leave a picture with something in it."""
 import csv
 import importlib.util
+import json
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -52,6 +56,53 @@ def test_edge_profile(example, tmp_path):
     assert colours(tmp_path / "edge-profile.png") > 50
 
 
-@pytest.mark.parametrize("name", ["first-light", "edge-profile"])
+def test_parameter_study(example, tmp_path, capsys):
+    example("parameter_study", PIXELS=5, REFERENCE=3200, METHODS=("sphere-published",)).main(tmp_path)
+    words = capsys.readouterr().out
+    assert words.startswith("sphere-published, N = 10000, delta = 0.25 m, epsilon = 0.15 m: error near edges ")
+    cells = json.loads((tmp_path / "sphere-published" / "study.json").read_text(encoding="utf-8"))["cells"]
+    assert len(cells) == 11  # the cross of the table, and compensated with its three numbers of trajectories
+    assert colours(tmp_path / "sphere-published" / "study.png") > 200
+
+
+def test_speed_accuracy(example, tmp_path, capsys):
+    module = example("speed_accuracy", METHODS=("compensated",), BUDGET=0.1, REFERENCE=320)
+    module.main(tmp_path / "out", peers=())
+    said = capsys.readouterr().out.splitlines()[-4:]
+    assert [line.split(":")[0] for line in said] == ["5 %", "2 %", "1 %", "0.5 %"]
+    assert colours(tmp_path / "out" / "chart.png") > 50
+    times = [{"label": name, "seconds_to": {"1 %": {"cpu_seconds": s}}} for name, s in (("a", None), ("b", 3.0), ("c", 2.0))]
+    assert module.fastest({"contenders": times}, "1 %") == (2.0, "c")
+    assert module.fastest({"contenders": times[:1]}, "1 %") is None
+
+
+def test_luminaire(example, tmp_path, capsys):
+    example("luminaire", COLUMNS=20, ROWS=4, ERROR=0.2, MOST=3200).main(tmp_path)
+    words = capsys.readouterr().out
+    mean, direct = (float(part.split("mean ")[1].split()[0]) for part in words.split(";"))
+    # Of 6000 lm at most all lands on the 20 m2 of the floor; with what walls and ceiling return more than directly.
+    assert direct < 6000 / 20 and 1.2 * direct < mean < 1.8 * direct
+    assert colours(tmp_path / "luminaire.png") > 200
+
+
+@pytest.mark.skipif(not shutil.which("mpiexec"), reason="no mpiexec here")
+def test_mpi_hall(tmp_path):
+    """The same digest from one process and from three."""
+    program = (ROOT / "examples" / "mpi_hall.py").read_text(encoding="utf-8")
+    small = tmp_path / "hall.py"
+    small.write_text(program.replace("TRAJECTORIES = 90, 60, 1600", "TRAJECTORIES = 6, 4, 320"), encoding="utf-8")
+    assert small.read_text(encoding="utf-8") != program
+    mpiexec = ["mpiexec", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-n", "3"]
+    said = []
+    for front, out in (([], tmp_path / "one"), (mpiexec, tmp_path / "three")):
+        done = subprocess.run([*front, sys.executable, small, out], capture_output=True, text=True, timeout=120, check=False)
+        assert done.returncode == 0, done.stderr
+        said.append(done.stdout)
+        assert colours(out / "mpi-hall.png") > 50
+    assert said[0].startswith("1 ranks: ") and said[1].startswith("3 ranks: ")
+    assert said[0].split("digest ")[1] == said[1].split("digest ")[1]
+
+
+@pytest.mark.parametrize("name", ["first-light", "edge-profile", "luminaire", "mpi-hall", "parameter-study", "paraview-room"])
 def test_pictures_of_the_documentation_are_small(name):
-    assert (ROOT / "docs" / f"{name}.png").stat().st_size < 150_000
+    assert (ROOT / "docs" / f"{name}.png").stat().st_size < 200_000
