@@ -19,6 +19,8 @@ constexpr const char* Mirror = "Mirror";              ///< reflectance of a perf
 constexpr const char* Exitance = "Exitance";          ///< emitted on the side of the normal, lm/m², 1 or n components
 constexpr const char* SurfaceId = "SurfaceId";        ///< index into the field data array SurfaceNames
 constexpr const char* SurfaceNames = "SurfaceNames";  ///< field data, strings
+/// Field data, strings, 3 components: subject, choice, reason of what a scene reader approximated or chose.
+constexpr const char* SceneNotes = "SceneNotes";
 
 // Luminaires, point data of vtkPolyData vertices.
 constexpr const char* LuminousFlux = "LuminousFlux";  ///< lm
@@ -47,7 +49,17 @@ constexpr const char* DirectIlluminance = "DirectIlluminance";                //
 constexpr const char* KernelCorrection = "KernelCorrection";    ///< lx, altered less plain kernel, same trajectories
 constexpr const char* LargestScoreShare = "LargestScoreShare";  ///< largest single score over the sum, [0, 1]
 constexpr const char* IntervalTrusted = "IntervalTrusted";      ///< 1 where the standard error can be believed, else 0
-constexpr const char* IlluminanceBands = "IlluminanceBands";    ///< lx, n components, when n > 1
+constexpr const char* IndirectIlluminanceStandardError = "IndirectIlluminanceStandardError";  ///< lx, of total - direct
+constexpr const char* IlluminanceReplicates = "IlluminanceReplicates";  ///< lx, a component a replicate, if asked for
+constexpr const char* IlluminanceBands = "IlluminanceBands";            ///< lx, n components, when n > 1
+
+// Observers, point data of vtkPolyData whose normals are the lines of sight; see vtkKalosGlareRating.
+constexpr const char* ObserverUp = "ObserverUp";                    ///< direction that is up for the observer
+constexpr const char* UGR = "UGR";                                  ///< unified glare rating, CIE 117
+constexpr const char* UGRStandardError = "UGRStandardError";        ///< of it
+constexpr const char* BackgroundLuminance = "BackgroundLuminance";  ///< cd/m², indirect illuminance at the eye over pi
+constexpr const char* BackgroundLuminanceStandardError = "BackgroundLuminanceStandardError";  ///< cd/m²
+constexpr const char* GlareSources = "GlareSources";  ///< counts: sources, small ones, ones beyond 0.1 sr
 
 // Results on surfaces and images.
 constexpr const char* Luminance = "Luminance";                            ///< cd/m²

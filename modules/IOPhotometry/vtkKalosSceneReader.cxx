@@ -9,6 +9,8 @@
 #include <set>
 #include <vector>
 
+#include "model/ModelFile.h"
+#include "model/ModelScene.h"
 #include "scene/SceneCameras.h"
 #include "scene/SceneError.h"
 #include "scene/SceneLuminaires.h"
@@ -64,23 +66,45 @@ std::string ReadText(const std::string& path)
   return text;
 }
 
+/** The scene file's text, or for a model the scene that holds nothing but it. */
+nlohmann::json ReadJson(const std::string& path)
+{
+  if (!IsModelFile(path))
+  {
+    return ParseJson(ReadText(path));
+  }
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+  {
+    throw SceneError("file", "no such file; expected a scene or model file");
+  }
+  return {{"kalos", 1}, {"surfaces", {{{"file", std::filesystem::path(path).filename().string()}}}}};
+}
+
 Scene ReadScene(const std::string& path)
 {
-  const nlohmann::json json = ParseJson(ReadText(path));
+  const nlohmann::json json = ReadJson(path);
   const Node root(json, "scene");
   root.CheckKeys({"kalos", "materials", "surfaces", "luminaires", "receivers", "cameras"});
   root.At("kalos").Integer(1, 1);
 
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  const std::vector<Surface> surfaces = ReadSurfaces(root, ReadMaterials(root), folder);
+  SceneSurfaces surfaces = ReadSurfaces(root, ReadMaterials(root), folder);
   std::set<std::string> names;
   Scene scene;
-  scene.Surfaces = MakeSurfaceData(surfaces);
-  scene.Luminaires = ReadLuminaires(root, folder);
-  scene.Receivers = ReadReceivers(root, surfaces, folder, names);
+  scene.Surfaces = MakeSurfaceData(surfaces.All);
+  scene.Receivers = ReadReceivers(root, surfaces.All, folder, names);
   scene.Cameras = ReadCameras(root, names);
+  AddModelCameras(surfaces.Cameras, names, scene.Cameras);
+  if (surfaces.HasModel && !root.Has("receivers"))
+  {
+    AddUsualReceivers(surfaces, names, scene.Receivers);
+  }
+  scene.Luminaires = ReadLuminaires(root, folder, surfaces.Lights, LitBall(scene.Surfaces, scene.Receivers));
+  AddLightNotes(surfaces.Lights, surfaces.Approximations);
+  PutNotes(surfaces.Approximations, scene.Surfaces);
 
-  if (surfaces.empty() && scene.Luminaires->GetNumberOfPoints() == 0)
+  if (surfaces.All.empty() && scene.Luminaires->GetNumberOfPoints() == 0)
   {
     root.Fail("empty: no surfaces and no luminaires; expected at least one of them");
   }
@@ -152,6 +176,11 @@ int vtkKalosSceneReader::RequestData(vtkInformationVector* outputVector)
 
 int vtkKalosSceneReader::CanReadFile(const char* path)
 {
+  std::error_code error;
+  if (path && IsModelFile(path))
+  {
+    return std::filesystem::is_regular_file(path, error);
+  }
   std::ifstream file(path ? path : "", std::ios::binary);
   std::string start(4096, '\0');
   file.read(&start[0], static_cast<std::streamsize>(start.size()));

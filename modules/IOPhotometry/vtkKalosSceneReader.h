@@ -1,30 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkKalosSceneReader
- * @brief   read a Kalos scene file: surfaces, luminaires, receivers and cameras
+ * @brief   read a scene: a Kalos scene file, or a glTF or OBJ model
  *
- * The file is JSON, lengths in metres, flux in lm; unknown keys are errors; paths are relative to the scene file.
+ * A scene file is JSON, lengths in metres, flux in lm; unknown keys are errors; paths are relative to the scene file.
  *
- * | section    | members                                                                                             |
- * |------------|-----------------------------------------------------------------------------------------------------|
- * | kalos      | 1, the version of the format                                                                        |
- * | materials  | NAME: reflectance (number or one a band, [0,1)); specular and roughness; mirror; exitance (lm/m²)   |
- * | surfaces   | name, material, and quad {origin, u, v}, box {center, size, rotation_z_deg} or file (obj, ply, stl,
- * vtp) | | luminaires | name, flux (lm), aim, rotation_deg, and position with distribution (isotropic, lambertian) or
- * rectangle {center, u, v}; or position, aim and a photometric file (.ies, .ldt), with lamp_set and flux if wanted | |
- * receivers  | name, and plane {origin, u, v, resolution or spacing "EN 12464-1", flip}, points (a CSV file) or surface
- * with edge_length and flip | | cameras    | name, position, target, up, fov_deg (vertical), resolution [width, height]
- * |
+ * - kalos: 1, the version of the format
+ * - materials: NAME: reflectance (number or one a band, [0,1)); specular and roughness; mirror; exitance (lm/m²)
+ * - surfaces: name, material, and quad {origin, u, v}, box {center, size, rotation_z_deg} or file (obj, ply, stl, vtp,
+ *   gltf, glb) with scale (to metres) and up ("y" or "z"). A gltf, glb or obj without name is a model: its parts are
+ *   surfaces under their own names, and its lights and cameras join the scene unless the keys lights or cameras are
+ *   false.
+ * - luminaires: name, flux (lm), aim, rotation_deg, and position with distribution (isotropic, lambertian) or rectangle
+ *   {center, u, v}; or position, aim and a photometric file (.ies, .ldt), with lamp_set and flux if wanted
+ * - receivers: name, and plane {origin, u, v, resolution or spacing "EN 12464-1", flip}, points (a CSV file), surface
+ *   with edge_length and flip, or observer {position, target, up}
+ * - cameras: name, position, target, up, fov_deg (vertical), resolution [width, height]
+ *
+ * A model as FileName is read as a scene file with nothing but the model in "surfaces". Without "receivers", a model
+ * gets a plane 0.75 m above its floor, see model/WorkPlane.h. A material, luminaire or camera of the scene file
+ * replaces the one of that name in a model. From a glTF come the default scene with all nodes and instances,
+ * metallic-roughness materials with KHR_materials_emissive_strength, lights of KHR_lights_punctual (cd, lx) and
+ * perspective cameras; y up is turned to z up. From an OBJ come objects and the materials of its libraries; it is taken
+ * as metres with z up. What is approximated (mean colours of textures, far points for parallel light, ...) stands in
+ * the field data array SceneNotes of port 0; the rules are in model/MetallicRoughness.h, model/ModelLuminaire.h and
+ * model/MtlFile.h.
  *
  * Output ports:
  * - 0, vtkPolyData: all surfaces; polygons with the cell arrays of vtkKalosArrayNames.h, SurfaceId and SurfaceNames.
  *   If a material has n > 1 bands, Reflectance and Exitance have n components everywhere.
  * - 1, vtkPolyData: the luminaires, one vertex each (see vtkKalosLuminaireSource).
  * - 2, vtkMultiBlockDataSet: a named block per receiver set in file order: planes (see vtkKalosCalculationPlane) and
- *   surfaces have cell normals, points have point normals.
+ *   surfaces have cell normals, points have point normals; an observer is a point whose normal is the line of sight,
+ *   with the point array ObserverUp (see vtkKalosGlareRating).
  *
- * An OBJ's usemtl names are looked up in "materials"; "material" serves the faces before the first usemtl. A VTP
- * without "material" brings its own cell arrays Reflectance, Exitance, Specular, Roughness and Mirror.
+ * An OBJ's usemtl names are looked up in "materials", then in its libraries; "material" serves polygons without a
+ * material. A VTP without "material" brings its own cell arrays Reflectance, Exitance, Specular, Roughness and Mirror.
  *
  * Errors: anything missing, unknown, of the wrong type or out of range gives an error event with one line
  * `FILE: WHERE: what is wrong and what is expected`, and empty outputs. A warning is never given instead; what the
@@ -50,12 +61,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Path of the scene file. */
+  /** Path of the scene or model file. */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
-  /** Whether the file looks like a Kalos scene: JSON text with the key "kalos" near its start. */
+  /** Whether the file is a model by its name, or looks like a Kalos scene: JSON with the key "kalos" near its start. */
   int CanReadFile(const char* path);
 
   ///@{

@@ -172,7 +172,7 @@ void MainWindow::chooseFile()
 {
   const QString path = QFileDialog::getOpenFileName(
       this, tr("Open a scene"), this->Bench.scene() ? this->Bench.scene()->path() : QString(),
-      tr("Scenes and meshes (*.json *.obj *.ply *.stl *.vtp);;All files (*)"));
+      tr("Scenes and meshes (*.json *.glb *.gltf *.obj *.ply *.stl *.vtp);;All files (*)"));
   if (!path.isEmpty())
     this->openFile(path);
 }

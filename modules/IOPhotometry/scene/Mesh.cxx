@@ -70,6 +70,35 @@ Vector3 Mesh::Area(std::size_t polygon) const
   return area;
 }
 
+bool Mesh::HasArea(std::size_t polygon) const
+{
+  const std::int64_t begin = this->Begin(polygon), end = this->Ends[polygon];
+  double perimeter = 0.0;
+  for (std::int64_t i = begin; i < end; ++i)
+  {
+    const std::int64_t next = this->Corners[i + 1 == end ? begin : i + 1];
+    perimeter += Norm(Subtract(this->Points[next], this->Points[this->Corners[i]]));
+  }
+  // Relative, so that a millimetre part and a stadium are judged alike.
+  return Norm(this->Area(polygon)) > 1e-13 * perimeter * perimeter;
+}
+
+std::size_t Mesh::DropDegenerate()
+{
+  const Mesh all = *this;
+  this->Corners.clear();
+  this->Ends.clear();
+  this->MaterialOf.clear();
+  for (std::size_t p = 0; p < all.NumberOfPolygons(); ++p)
+  {
+    if (all.HasArea(p))
+    {
+      this->AddPolygon({all.Corners.begin() + all.Begin(p), all.Corners.begin() + all.Ends[p]}, all.MaterialOf[p]);
+    }
+  }
+  return all.NumberOfPolygons() - this->NumberOfPolygons();
+}
+
 void Mesh::Check(const std::string& file, const char* face) const
 {
   for (std::size_t p = 0; p < this->NumberOfPolygons(); ++p)
@@ -83,7 +112,6 @@ void Mesh::Check(const std::string& file, const char* face) const
     {
       fail(std::to_string(end - begin) + " corners; expected at least 3");
     }
-    double perimeter = 0.0;
     for (std::int64_t i = begin; i < end; ++i)
     {
       const std::int64_t corner = this->Corners[i];
@@ -96,14 +124,8 @@ void Mesh::Check(const std::string& file, const char* face) const
       {
         fail("a corner has a coordinate that is not finite; expected metres");
       }
-      const std::int64_t next = this->Corners[i + 1 == end ? begin : i + 1];
-      if (next >= 0 && next < static_cast<std::int64_t>(this->Points.size()))
-      {
-        perimeter += Norm(Subtract(this->Points[next], this->Points[corner]));
-      }
     }
-    // Relative, so that a millimetre part and a stadium are judged alike.
-    if (!(Norm(this->Area(p)) > 1e-13 * perimeter * perimeter))
+    if (!this->HasArea(p))
     {
       fail("no area; expected a polygon that is not degenerate");
     }

@@ -22,6 +22,10 @@ struct Mesh
   std::size_t NumberOfPolygons() const { return this->Ends.size(); }
   std::int64_t Begin(std::size_t polygon) const { return polygon == 0 ? 0 : this->Ends[polygon - 1]; }
   void AddPolygon(const std::vector<std::int64_t>& corners, std::int32_t material);
+  /** Whether the polygon has an area beyond rounding, relative to its perimeter. */
+  bool HasArea(std::size_t polygon) const;
+  /** Leave out polygons without area; returns how many. */
+  std::size_t DropDegenerate();
   /** Vector area: the normal times the area, m². */
   Vector3 Area(std::size_t polygon) const;
   /**

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "../model/ObjModel.h"
 #include "ErrorCatcher.h"
-#include "ObjFile.h"
 #include "PlyFile.h"
 #include "SceneError.h"
 #include "StlFile.h"
@@ -127,25 +127,16 @@ void UseFallback(const Node& place, Mesh& mesh, const Material* fallback)
   std::replace(mesh.MaterialOf.begin(), mesh.MaterialOf.end(), -1, index);
 }
 
-Mesh ReadObj(const std::string& path, const Materials& materials)
+Mesh ReadObj(const std::string& path, const Materials& materials, Notes& notes)
 {
-  std::vector<std::string> names;
-  Mesh mesh = ReadObjFile(path, names);
-  for (const std::string& name : names)
-  {
-    const auto found = materials.find(name);
-    if (found == materials.end())
-    {
-      throw SceneError(path, "usemtl " + Quotable(name),
-                       "no such material in the scene; expected a name from \"materials\"");
-    }
-    mesh.Palette.push_back(found->second);
-  }
-  return mesh;
+  ObjFile file = ReadObjFile(path);
+  file.Polygons.Palette = FindObjMaterials(path, file, materials, notes);
+  return std::move(file.Polygons);
 }
 }  // namespace
 
-Mesh ReadMeshFile(const Node& place, const std::string& path, const Materials& materials, const Material* fallback)
+Mesh ReadMeshFile(const Node& place, const std::string& path, const Materials& materials, const Material* fallback,
+                  Notes& notes)
 {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
@@ -158,7 +149,7 @@ Mesh ReadMeshFile(const Node& place, const std::string& path, const Materials& m
   Mesh mesh;
   if (type == ".obj")
   {
-    mesh = ReadObj(path, materials);
+    mesh = ReadObj(path, materials, notes);
   }
   else if (type == ".ply")
   {

@@ -6,16 +6,19 @@
 #include <string>
 
 #include "Mesh.h"
+#include "SceneNotes.h"
 
 namespace kalos::scene
 {
 /**
  * Read and check the mesh at `path`; `place` is the scene file's value that names it.
  *
- * Material of a polygon, first that applies: the one that the OBJ's usemtl names in `materials`; `fallback`, if given;
- * the VTP's own cell arrays (Reflectance, Exitance, Specular, Roughness, Mirror). None of them is an error.
+ * Material of a polygon, first that applies: the one that the OBJ's usemtl names in `materials` or in a library of the
+ * file; `fallback`, if given; the VTP's own cell arrays (Reflectance, Exitance, Specular, Roughness, Mirror). None of
+ * them is an error.
  */
-Mesh ReadMeshFile(const Node& place, const std::string& path, const Materials& materials, const Material* fallback);
+Mesh ReadMeshFile(const Node& place, const std::string& path, const Materials& materials, const Material* fallback,
+                  Notes& notes);
 }  // namespace kalos::scene
 
 #endif

@@ -16,9 +16,9 @@ namespace
 class ObjParser
 {
 public:
-  ObjParser(const std::string& path, std::vector<std::string>& names) : Path(path), Names(names) {}
+  explicit ObjParser(const std::string& path) : Path(path) { this->Result.ObjectNames.emplace_back(); }
 
-  Mesh Parse()
+  ObjFile Parse()
   {
     std::ifstream file(this->Path, std::ios::binary);
     std::string line;
@@ -57,7 +57,7 @@ private:
     {
       return;
     }
-    static const char* const ignored[] = {"vt", "vn", "vp", "g", "o", "s", "mtllib", "l", "p"};
+    static const char* const ignored[] = {"vt", "vn", "vp", "s", "l", "p"};
     if (keyword == "v")
     {
       Vector3 point;
@@ -65,7 +65,7 @@ private:
       {
         this->Fail("a vertex without three numbers; expected v X Y Z");
       }
-      this->Result.Points.push_back(point);
+      this->Result.Polygons.Points.push_back(point);
     }
     else if (keyword == "f")
     {
@@ -74,6 +74,14 @@ private:
     else if (keyword == "usemtl")
     {
       this->UseMaterial(words);
+    }
+    else if (keyword == "mtllib")
+    {
+      this->Result.Libraries.push_back(Rest(words));
+    }
+    else if (keyword == "o" || keyword == "g")
+    {
+      this->BeginObject(keyword, Rest(words));
     }
     else if (std::find(std::begin(ignored), std::end(ignored), keyword) == std::end(ignored))
     {
@@ -88,7 +96,7 @@ private:
     while (words >> word)
     {
       const std::string digits = word.substr(0, word.find('/'));
-      const auto count = static_cast<std::int64_t>(this->Result.Points.size());
+      const auto count = static_cast<std::int64_t>(this->Result.Polygons.Points.size());
       std::int64_t index = 0;
       std::istringstream number(digits);
       number.imbue(std::locale::classic());
@@ -104,36 +112,61 @@ private:
     {
       this->Fail("a face with " + std::to_string(corners.size()) + " corners; expected at least 3");
     }
-    this->Result.AddPolygon(corners, this->Material);
+    this->Result.Polygons.AddPolygon(corners, this->Material);
+    this->Result.ObjectOf.push_back(this->Object);
+  }
+
+  static std::string Rest(std::istringstream& words)
+  {
+    std::string rest;
+    std::getline(words >> std::ws, rest);
+    rest.erase(rest.find_last_not_of(" \t") + 1);
+    return rest;
+  }
+
+  /** The index of a name in a list, which gets it if it is new. */
+  static std::size_t Number(std::vector<std::string>& names, const std::string& name)
+  {
+    const auto found = std::find(names.begin(), names.end(), name);
+    const auto number = static_cast<std::size_t>(found - names.begin());
+    if (found == names.end())
+    {
+      names.push_back(name);
+    }
+    return number;
   }
 
   void UseMaterial(std::istringstream& words)
   {
-    std::string name;
-    std::getline(words >> std::ws, name);
-    name.erase(name.find_last_not_of(" \t") + 1);
+    const std::string name = Rest(words);
     if (name.empty())
     {
       this->Fail("usemtl without a name; expected the name of a material");
     }
-    const auto found = std::find(this->Names.begin(), this->Names.end(), name);
-    this->Material = static_cast<std::int32_t>(found - this->Names.begin());
-    if (found == this->Names.end())
+    this->Material = static_cast<std::int32_t>(Number(this->Result.MaterialNames, name));
+  }
+
+  /** Groups divide a file that has no objects. */
+  void BeginObject(const std::string& keyword, const std::string& name)
+  {
+    this->HasObjects = this->HasObjects || keyword == "o";
+    if (keyword == "o" || !this->HasObjects)
     {
-      this->Names.push_back(name);
+      this->Object = Number(this->Result.ObjectNames, name);
     }
   }
 
   const std::string& Path;
-  std::vector<std::string>& Names;
-  Mesh Result;
+  ObjFile Result;
   std::int32_t Material = -1;
+  std::size_t Object = 0;
+  bool HasObjects = false;
   long long LineNumber = 0;
 };
 }  // namespace
 
-Mesh ReadObjFile(const std::string& path, std::vector<std::string>& materialNames)
+ObjFile ReadObjFile(const std::string& path)
 {
-  return ObjParser(path, materialNames).Parse();
+  return ObjParser(path).Parse();
 }
 }  // namespace kalos::scene

@@ -12,21 +12,7 @@ Camera ReadCamera(const Node& node)
   node.CheckKeys({"name", "position", "target", "up", "fov_deg", "resolution"});
   Camera camera;
   camera.Name = node.Name();
-  camera.Position = node.At("position").Vector();
-  camera.Target = node.At("target").Vector();
-  const Vector3 view = Subtract(camera.Target, camera.Position);
-  if (Norm(view) == 0.0)
-  {
-    node.At("target").Fail("the target is the position; expected another point");
-  }
-  if (const auto up = node.Find("up"))
-  {
-    camera.Up = up->NonZeroVector();
-  }
-  if (!(Norm(Cross(view, camera.Up)) > 1e-9 * Norm(view) * Norm(camera.Up)))
-  {
-    node.Fail("\"up\" ([0, 0, 1] if absent) is parallel to the view; expected another direction");
-  }
+  static_cast<Sight&>(camera) = ReadSight(node);
   const Node angle = node.At("fov_deg");
   camera.FieldOfView = angle.Number();
   if (!(camera.FieldOfView > 0.0 && camera.FieldOfView < 180.0))
@@ -37,6 +23,27 @@ Camera ReadCamera(const Node& node)
   return camera;
 }
 }  // namespace
+
+Sight ReadSight(const Node& node)
+{
+  Sight sight;
+  sight.Position = node.At("position").Vector();
+  sight.Target = node.At("target").Vector();
+  const Vector3 view = Subtract(sight.Target, sight.Position);
+  if (Norm(view) == 0.0)
+  {
+    node.At("target").Fail("the target is the position; expected another point");
+  }
+  if (const auto up = node.Find("up"))
+  {
+    sight.Up = up->NonZeroVector();
+  }
+  if (!(Norm(Cross(view, sight.Up)) > 1e-9 * Norm(view) * Norm(sight.Up)))
+  {
+    node.Fail("\"up\" ([0, 0, 1] if absent) is parallel to the view; expected another direction");
+  }
+  return sight;
+}
 
 std::vector<Camera> ReadCameras(const Node& scene, std::set<std::string>& names)
 {

@@ -12,12 +12,19 @@
 
 namespace kalos::scene
 {
-struct Camera
+struct Sight
+{
+  Vector3 Position{};         ///< m
+  Vector3 Target{};           ///< m
+  Vector3 Up{0.0, 0.0, 1.0};  ///< any length
+};
+
+/** The keys position, target and up of a camera or an observer. */
+Sight ReadSight(const Node& node);
+
+struct Camera : Sight
 {
   std::string Name;
-  Vector3 Position{};               ///< m
-  Vector3 Target{};                 ///< m
-  Vector3 Up{0.0, 0.0, 1.0};        ///< any length
   double FieldOfView = 45.0;        ///< vertical, degrees
   std::array<int, 2> Resolution{};  ///< pixels, width and height
 };

@@ -36,12 +36,20 @@ public:
   {
   }
 
+  /** The same with its file filled in, unless it has one. */
+  SceneError In(const std::string& file) const
+  {
+    return this->HasFile ? *this : SceneError(OneLine(file + ": " + this->what()));
+  }
+
   std::string Message(const std::string& file) const
   {
     return this->HasFile ? this->what() : file + ": " + this->what();
   }
 
 private:
+  explicit SceneError(const std::string& complete) : std::runtime_error(complete), HasFile(true) {}
+
   bool HasFile = false;
 };
 }  // namespace kalos::scene

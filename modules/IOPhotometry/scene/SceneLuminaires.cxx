@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../model/Names.h"
 #include "ErrorCatcher.h"
 #include "SceneError.h"
 #include "SceneSurfaces.h"
@@ -138,6 +139,7 @@ vtkSmartPointer<vtkPolyData> ReadLuminaire(const Node& node)
   }
   return source->GetOutput();
 }
+
 /** Candela tables of all luminaires; equal ones are kept once. */
 class Tables
 {
@@ -183,9 +185,32 @@ private:
   vtkNew<vtkIntArray> Poles;
   std::vector<vtkSmartPointer<vtkDoubleArray>> All;
 };
+
+/** Add one luminaire to all. */
+void Append(vtkPolyData* all, vtkPolyData* one, Tables& tables)
+{
+  vtkDataArray* distribution = one->GetPointData()->GetArray(vtkKalosArrayNames::Distribution);
+  if (distribution->GetTuple1(0) == vtkKalosLuminaireSource::MEASURED)
+  {
+    distribution->SetTuple1(0, tables.Add(one));
+  }
+  const vtkIdType id = all->GetPoints()->InsertNextPoint(one->GetPoint(0));
+  all->InsertNextCell(VTK_VERTEX, 1, &id);
+  if (id == 0)
+  {
+    all->GetPointData()->DeepCopy(one->GetPointData());
+    return;
+  }
+  for (int a = 0; a < all->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = all->GetPointData()->GetAbstractArray(a);
+    array->InsertNextTuple(0, one->GetPointData()->GetAbstractArray(array->GetName()));
+  }
+}
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string& folder)
+vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string& folder,
+                                            const std::vector<ModelLight>& lights, const Ball& lit)
 {
   auto all = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -202,27 +227,20 @@ vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string
   const auto section = scene.Find("luminaires");
   for (const Node& node : section ? section->Items() : std::vector<Node>())
   {
-    const bool measured = node.Has("file");
-    const auto one = measured ? ReadMeasured(node, folder, told, warnings) : ReadLuminaire(node);
-    if (measured)
-    {
-      one->GetPointData()->GetArray(vtkKalosArrayNames::Distribution)->SetTuple1(0, tables.Add(one));
-    }
+    const auto one = node.Has("file") ? ReadMeasured(node, folder, told, warnings) : ReadLuminaire(node);
     if (!names.insert(node.Name()).second)
     {
       node.Fail("another luminaire has this name; expected a name of its own");
     }
-    const vtkIdType id = points->InsertNextPoint(one->GetPoint(0));
-    all->InsertNextCell(VTK_VERTEX, 1, &id);
-    if (id == 0)
+    Append(all, one, tables);
+  }
+  const std::set<std::string> own = names;
+  for (ModelLight light : lights)
+  {
+    if (own.count(light.Name) == 0)
     {
-      all->GetPointData()->DeepCopy(one->GetPointData());
-      continue;
-    }
-    for (int a = 0; a < all->GetPointData()->GetNumberOfArrays(); ++a)
-    {
-      vtkAbstractArray* array = all->GetPointData()->GetAbstractArray(a);
-      array->InsertNextTuple(0, one->GetPointData()->GetAbstractArray(array->GetName()));
+      light.Name = FreeName(light.Name, "light", names);
+      Append(all, MakeModelLuminaire(light, lit), tables);
     }
   }
   return all;

@@ -3,6 +3,7 @@
 #ifndef KalosSceneLuminaires_h
 #define KalosSceneLuminaires_h
 
+#include "../model/ModelLuminaire.h"
 #include "SceneJson.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -11,9 +12,11 @@ namespace kalos::scene
 {
 /**
  * All luminaires in one, as vtkKalosLuminaireSource makes them; photometric files are looked for below `folder`. Field
- * data: the candela tables, and PhotometryWarnings.
+ * data: the candela tables, and PhotometryWarnings. `lights` of models follow, but those that have the name of one of
+ * the scene's own; parallel ones reach the ball `lit`.
  */
-vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string& folder);
+vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string& folder,
+                                            const std::vector<ModelLight>& lights, const Ball& lit);
 }  // namespace kalos::scene
 
 #endif

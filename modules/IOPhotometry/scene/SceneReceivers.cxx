@@ -7,11 +7,16 @@
 
 #include "ErrorCatcher.h"
 #include "ProbeFile.h"
+#include "SceneCameras.h"
 #include "SurfaceReceivers.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
+#include "vtkKalosArrayNames.h"
 #include "vtkKalosCalculationPlane.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 
 namespace kalos::scene
 {
@@ -21,30 +26,6 @@ bool ReadFlip(const Node& node)
 {
   const auto flip = node.Find("flip");
   return flip && flip->Boolean();
-}
-
-/**
- * Grid of EN 12464-1: spacing p = 0.2 * 5^log10(d), at most 10 m, d the longer side in metres, or the shorter one of a
- * plane at least twice as long as wide; the nearest whole number of cells to each side over p.
- */
-std::array<int, 2> StandardGrid(const Node& plane)
-{
-  const double sides[2] = {Norm(plane.At("u").Vector()), Norm(plane.At("v").Vector())};
-  const double longer = std::max(sides[0], sides[1]);
-  const double shorter = std::min(sides[0], sides[1]);
-  const double d = longer < 2.0 * shorter ? longer : shorter;
-  const double spacing = std::min(10.0, 0.2 * std::pow(5.0, std::log10(d)));
-  std::array<int, 2> cells{};
-  for (int i = 0; i < 2; ++i)
-  {
-    const double count = std::max(1.0, std::round(sides[i] / spacing));
-    if (!(count < 1e4))
-    {
-      plane.Fail("too long or too narrow for the grid of EN 12464-1; expected a \"resolution\"");
-    }
-    cells[i] = static_cast<int>(count);
-  }
-  return cells;
 }
 
 std::array<int, 2> ReadGrid(const Node& plane)
@@ -62,7 +43,12 @@ std::array<int, 2> ReadGrid(const Node& plane)
   {
     spacing->FailExpected("\"EN 12464-1\"");
   }
-  return StandardGrid(plane);
+  const auto cells = StandardGrid(Norm(plane.At("u").Vector()), Norm(plane.At("v").Vector()));
+  if (!cells)
+  {
+    plane.Fail("too long or too narrow for the grid of EN 12464-1; expected a \"resolution\"");
+  }
+  return *cells;
 }
 
 vtkSmartPointer<vtkPolyData> ReadPlane(const Node& receiver)
@@ -110,13 +96,42 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const Node& receiver, const std::vector
   }
 }
 
+/** One eye: a point whose normal is the line of sight. */
+vtkSmartPointer<vtkPolyData> ReadObserver(const Node& receiver)
+{
+  receiver.CheckKeys({"name", "observer"});
+  const Node node = receiver.At("observer");
+  node.CheckKeys({"position", "target", "up"});
+  const Sight sight = ReadSight(node);
+  auto observer = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const vtkIdType id = points->InsertNextPoint(sight.Position.data());
+  observer->SetPoints(points);
+  observer->AllocateExact(1, 1);
+  observer->InsertNextCell(VTK_VERTEX, 1, &id);
+  const Vector3 view = Subtract(sight.Target, sight.Position);
+  const auto vector = [](const char* name, const Vector3& v) {
+    auto array = vtkSmartPointer<vtkDoubleArray>::New();
+    array->SetName(name);
+    array->SetNumberOfComponents(3);
+    array->InsertNextTuple(v.data());
+    return array;
+  };
+  observer->GetPointData()->SetNormals(vector("Normals", Scale(1.0 / Norm(view), view)));
+  observer->GetPointData()->AddArray(vector(vtkKalosArrayNames::ObserverUp, sight.Up));
+  return observer;
+}
+
 vtkSmartPointer<vtkPolyData> ReadReceiver(const Node& node, const std::vector<Surface>& surfaces,
                                           const std::string& folder)
 {
-  const int kinds = int(node.Has("plane")) + int(node.Has("points")) + int(node.Has("surface"));
+  const int kinds =
+      int(node.Has("plane")) + int(node.Has("points")) + int(node.Has("surface")) + int(node.Has("observer"));
   if (kinds != 1)
   {
-    node.Fail(std::to_string(kinds) + " kinds of receiver; expected one of \"plane\", \"points\" and \"surface\"");
+    node.Fail(std::to_string(kinds) +
+              " kinds of receiver; expected one of \"plane\", \"points\", \"surface\" and \"observer\"");
   }
   if (node.Has("plane"))
   {
@@ -126,11 +141,32 @@ vtkSmartPointer<vtkPolyData> ReadReceiver(const Node& node, const std::vector<Su
   {
     return ReadSurface(node, surfaces);
   }
+  if (node.Has("observer"))
+  {
+    return ReadObserver(node);
+  }
   node.CheckKeys({"name", "points"});
   const Node points = node.At("points");
   return ReadProbeFile(points, ResolvePath(folder, points.String()));
 }
 }  // namespace
+
+std::optional<std::array<int, 2>> StandardGrid(double u, double v)
+{
+  const double longer = std::max(u, v), shorter = std::min(u, v);
+  const double spacing = std::min(10.0, 0.2 * std::pow(5.0, std::log10(longer < 2.0 * shorter ? longer : shorter)));
+  std::array<int, 2> cells{};
+  for (int i = 0; i < 2; ++i)
+  {
+    const double count = std::max(1.0, std::round((i == 0 ? u : v) / spacing));
+    if (!(count < 1e4))
+    {
+      return {};
+    }
+    cells[i] = static_cast<int>(count);
+  }
+  return cells;
+}
 
 vtkSmartPointer<vtkMultiBlockDataSet> ReadReceivers(const Node& scene, const std::vector<Surface>& surfaces,
                                                     const std::string& folder, std::set<std::string>& names)

@@ -3,6 +3,8 @@
 #ifndef KalosSceneReceivers_h
 #define KalosSceneReceivers_h
 
+#include <array>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +15,13 @@
 
 namespace kalos::scene
 {
+/**
+ * Cells of a u x v plane by the grid of EN 12464-1: spacing p = 0.2 * 5^log10(d), at most 10 m, d the longer side in
+ * metres, or the shorter one of a plane at least twice as long as wide; the nearest whole number of cells to each side
+ * over p. None if that is more than 10 000 along a side.
+ */
+std::optional<std::array<int, 2>> StandardGrid(double u, double v);
+
 /**
  * Read the array "receivers" into one named block each, in file order. `names` holds the names of result files already
  * given away; the receivers' are added.

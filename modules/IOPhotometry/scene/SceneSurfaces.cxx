@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <set>
 
+#include "../model/ModelFile.h"
+#include "../model/Names.h"
 #include "MeshFile.h"
 #include "SceneError.h"
 #include "vtkCellArray.h"
@@ -61,7 +63,65 @@ const Material* FindMaterial(const Node& surface, const Materials& materials)
   return &found->second;
 }
 
-Mesh ReadPolygons(const Node& node, const Materials& materials, const std::string& folder)
+/** Where the coordinates of a file lie; without keys, glTF has y up and all others z. */
+Transform ReadPlace(const Node& node, const std::string& path)
+{
+  const auto scale = node.Find("scale");
+  const auto up = node.Find("up");
+  const std::string axis = up ? up->String() : IsGltfFile(path) ? "y" : "z";
+  if (axis != "y" && axis != "z")
+  {
+    up->FailExpected("\"y\" or \"z\"");
+  }
+  return UprightPlace(scale ? scale->NumberAbove(0.0) : 1.0, axis == "y");
+}
+
+/** All parts of a model as one mesh. */
+Mesh Join(const Model& model)
+{
+  Mesh mesh;
+  for (const ModelPart& part : model.Parts)
+  {
+    const Mesh& from = part.Polygons;
+    const auto firstPoint = static_cast<std::int64_t>(mesh.Points.size());
+    const auto firstCorner = static_cast<std::int64_t>(mesh.Corners.size());
+    const auto firstMaterial = static_cast<std::int32_t>(mesh.Palette.size());
+    mesh.Points.insert(mesh.Points.end(), from.Points.begin(), from.Points.end());
+    mesh.Palette.insert(mesh.Palette.end(), from.Palette.begin(), from.Palette.end());
+    for (const std::int64_t corner : from.Corners)
+    {
+      mesh.Corners.push_back(firstPoint + corner);
+    }
+    for (std::size_t p = 0; p < from.NumberOfPolygons(); ++p)
+    {
+      mesh.Ends.push_back(firstCorner + from.Ends[p]);
+      mesh.MaterialOf.push_back(firstMaterial + from.MaterialOf[p]);
+    }
+  }
+  return mesh;
+}
+
+Mesh ReadFile(const Node& node, const Materials& materials, const Material* material, const std::string& folder,
+              Notes& notes)
+{
+  const Node file = node.At("file");
+  const std::string path = ResolvePath(folder, file.String());
+  const Transform place = ReadPlace(node, path);
+  if (IsGltfFile(path))
+  {
+    const Model model = ReadModelFile(file, path, {place, &materials, material});
+    notes.insert(notes.end(), model.Approximations.begin(), model.Approximations.end());
+    return Join(model);
+  }
+  Mesh mesh = ReadMeshFile(file, path, materials, material, notes);
+  for (Vector3& point : mesh.Points)
+  {
+    point = place.Point(point);
+  }
+  return mesh;
+}
+
+Mesh ReadPolygons(const Node& node, const Materials& materials, const std::string& folder, Notes& notes)
 {
   const int shapes = int(node.Has("quad")) + int(node.Has("box")) + int(node.Has("file"));
   if (shapes != 1)
@@ -69,9 +129,16 @@ Mesh ReadPolygons(const Node& node, const Materials& materials, const std::strin
     node.Fail(std::to_string(shapes) + " shapes; expected one of \"quad\", \"box\" and \"file\"");
   }
   const Material* material = FindMaterial(node, materials);
-  if (const auto file = node.Find("file"))
+  for (const char* key : {"scale", "up"})
   {
-    return ReadMeshFile(*file, ResolvePath(folder, file->String()), materials, material);
+    if (node.Has(key) && !node.Has("file"))
+    {
+      node.At(key).Fail("a key of a \"file\"; expected none here");
+    }
+  }
+  if (node.Has("file"))
+  {
+    return ReadFile(node, materials, material, folder, notes);
   }
   if (!material)
   {
@@ -82,6 +149,38 @@ Mesh ReadPolygons(const Node& node, const Materials& materials, const std::strin
   mesh.Palette.push_back(*material);
   std::fill(mesh.MaterialOf.begin(), mesh.MaterialOf.end(), 0);
   return mesh;
+}
+
+/** A model file whose parts are surfaces under their own names. */
+void AddModel(const Node& node, const Materials& materials, const std::string& folder, std::set<std::string>& names,
+              SceneSurfaces& surfaces)
+{
+  node.CheckKeys({"file", "material", "scale", "up", "lights", "cameras"});
+  const Node file = node.At("file");
+  const std::string path = ResolvePath(folder, file.String());
+  Model model = ReadModelFile(file, path, {ReadPlace(node, path), &materials, FindMaterial(node, materials)});
+  for (ModelPart& part : model.Parts)
+  {
+    const std::string name = FreeName(part.Name, "surface", names);
+    surfaces.All.push_back({name, node.Where() + "." + name, std::move(part.Polygons)});
+  }
+  const auto wanted = [&node](const char* key) { return !node.Has(key) || node.At(key).Boolean(); };
+  if (wanted("lights"))
+  {
+    surfaces.Lights.insert(surfaces.Lights.end(), model.Lights.begin(), model.Lights.end());
+  }
+  if (wanted("cameras"))
+  {
+    surfaces.Cameras.insert(surfaces.Cameras.end(), model.Cameras.begin(), model.Cameras.end());
+  }
+  Notes& notes = surfaces.Approximations;
+  if (!node.Has("up"))
+  {
+    notes.push_back({"axes", IsGltfFile(path) ? "turned from y up to z up" : "as in the file, z up",
+                     "\"up\" and \"scale\" beside \"file\" in a scene file change it"});
+  }
+  notes.insert(notes.end(), model.Approximations.begin(), model.Approximations.end());
+  surfaces.HasModel = true;
 }
 
 std::size_t NumberOfBands(const std::vector<Surface>& surfaces)
@@ -121,20 +220,26 @@ std::string ResolvePath(const std::string& folder, const std::string& path)
   return (std::filesystem::path(folder) / path).string();
 }
 
-std::vector<Surface> ReadSurfaces(const Node& scene, const Materials& materials, const std::string& folder)
+SceneSurfaces ReadSurfaces(const Node& scene, const Materials& materials, const std::string& folder)
 {
-  std::vector<Surface> surfaces;
+  SceneSurfaces surfaces;
   std::set<std::string> names;
   const auto section = scene.Find("surfaces");
   for (const Node& node : section ? section->Items() : std::vector<Node>())
   {
-    node.CheckKeys({"name", "quad", "box", "file", "material"});
-    Surface surface{node.Name(), node.Where(), ReadPolygons(node, materials, folder)};
+    const auto file = node.Find("file");
+    if (file && !node.Has("name") && IsModelFile(file->String()))
+    {
+      AddModel(node, materials, folder, names, surfaces);
+      continue;
+    }
+    node.CheckKeys({"name", "quad", "box", "file", "material", "scale", "up"});
+    Surface surface{node.Name(), node.Where(), ReadPolygons(node, materials, folder, surfaces.Approximations)};
     if (!names.insert(surface.Name).second)
     {
       node.Fail("another surface has this name; expected a name of its own");
     }
-    surfaces.push_back(std::move(surface));
+    surfaces.All.push_back(std::move(surface));
   }
   return surfaces;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../model/Model.h"
 #include "Mesh.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -19,8 +20,18 @@ struct Surface
   Mesh Polygons;
 };
 
+/** The "surfaces" of a scene, and what else the models among them bring. */
+struct SceneSurfaces
+{
+  std::vector<Surface> All;
+  std::vector<ModelLight> Lights;
+  std::vector<Camera> Cameras;
+  Notes Approximations;
+  bool HasModel = false;  ///< a file without a name of its own: its parts, lights and cameras keep theirs
+};
+
 /** Read the array "surfaces"; `folder` is that of the scene file. */
-std::vector<Surface> ReadSurfaces(const Node& scene, const Materials& materials, const std::string& folder);
+SceneSurfaces ReadSurfaces(const Node& scene, const Materials& materials, const std::string& folder);
 
 /** All surfaces in one, with the cell arrays of vtkKalosArrayNames.h; materials of 1 band are spread over all bands. */
 vtkSmartPointer<vtkPolyData> MakeSurfaceData(const std::vector<Surface>& surfaces);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A glTF 2.0 file, .gltf or .glb: its JSON, its buffers, and references between its parts. Own code, as VTK's loader
+ * crashes on files that break the rules; here every reference is checked, and an error names the place in the JSON.
+ */
+#ifndef KalosGltfFile_h
+#define KalosGltfFile_h
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "../scene/SceneJson.h"
+
+namespace kalos::scene
+{
+/** Bytes inside a buffer of the file; valid as long as the file is. */
+struct Bytes
+{
+  const unsigned char* Data = nullptr;
+  std::size_t Size = 0;
+};
+
+class GltfFile
+{
+public:
+  /** Read the file at `path`; throws SceneError. Buffers beside it are read when they are needed. */
+  explicit GltfFile(const std::string& path);
+  GltfFile(const GltfFile&) = delete;
+  void operator=(const GltfFile&) = delete;
+
+  Node Root() const { return Node(this->Json, "scene"); }
+  /** The elements of a top-level array, such as "nodes"; none if it is absent. */
+  const std::vector<Node>& Section(const std::string& name) const;
+  /** The index that `number` holds, of an element of a section. */
+  std::size_t Index(const Node& number, const std::string& section) const;
+  const Node& Element(const Node& number, const std::string& section) const;
+
+  /** The bytes of a buffer view. */
+  Bytes View(const Node& view) const;
+  /** The bytes that "uri" or "bufferView" of an image name. */
+  Bytes Image(const Node& image) const;
+
+private:
+  const std::string& Resolve(const Node& uri) const;
+  Bytes Buffer(std::size_t index) const;
+
+  std::string Path;
+  std::string Content;  ///< of the whole file, if it is a .glb
+  Bytes Chunk;          ///< the binary chunk of a .glb
+  bool HasChunk = false;
+  nlohmann::json Json;
+  mutable std::map<std::string, std::vector<Node>> Sections;
+  mutable std::map<std::string, std::string> Loaded;  ///< by uri
+};
+
+/** A whole number from 0 to 2^53. */
+std::size_t WholeNumber(const Node& number);
+}  // namespace kalos::scene
+
+#endif

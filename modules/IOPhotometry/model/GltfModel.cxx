@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GltfModel.h"
+
+#include <cmath>
+
+#include "GltfFile.h"
+#include "GltfLights.h"
+#include "GltfMaterials.h"
+#include "GltfMeshes.h"
+#include "Tally.h"
+
+namespace kalos::scene
+{
+namespace
+{
+constexpr std::size_t MaximumTriangles = 100000000;  ///< over all instances
+
+/** Walks the nodes of a scene and gathers what hangs on them. */
+class Walk
+{
+public:
+  Walk(const GltfFile& file, const ModelUse& use, Model& model)
+      : File(file), Use(use), Result(model), Meshes(file, model.Approximations), Found(model.Approximations)
+  {
+    this->Palette = ReadGltfMaterials(file, *use.Overrides, model.Approximations);
+    this->Unnamed = static_cast<std::int32_t>(this->Palette.size());
+    Material plain;
+    plain.Reflectance = {UnnamedReflectance};
+    this->Palette.push_back(use.Fallback ? *use.Fallback : plain);
+  }
+
+  void Run(const std::vector<Node>& roots)
+  {
+    this->Visited.resize(this->File.Section("nodes").size());
+    this->Push(roots, this->Use.Place);
+    while (!this->Work.empty())
+    {
+      const auto [index, world] = this->Work.back();
+      this->Work.pop_back();
+      this->Visit(this->File.Section("nodes")[index], world);
+    }
+  }
+
+private:
+  void Push(const std::vector<Node>& numbers, const Transform& parent)
+  {
+    for (auto number = numbers.rbegin(); number != numbers.rend(); ++number)
+    {
+      const std::size_t index = this->File.Index(*number, "nodes");
+      if (this->Visited[index])
+      {
+        number->Fail("node " + std::to_string(index) + " is met twice; expected a tree");
+      }
+      this->Visited[index] = true;
+      this->Work.emplace_back(index, parent * ReadNodeTransform(this->File.Section("nodes")[index]));
+    }
+  }
+
+  void Visit(const Node& node, const Transform& world)
+  {
+    if (node.Has("mesh"))
+    {
+      this->AddPart(node, world);
+    }
+    if (const auto light = ReadGltfLight(this->File, node, world, this->Found))
+    {
+      this->Result.Lights.push_back(*light);
+    }
+    if (const auto camera = ReadGltfCamera(this->File, node, world, this->Found))
+    {
+      this->Result.Cameras.push_back(*camera);
+    }
+    if (const auto children = node.Find("children"))
+    {
+      this->Push(children->Items(), world);
+    }
+  }
+
+  void AddPart(const Node& node, const Transform& world)
+  {
+    const GltfMesh& source = this->Meshes.Read(node.At("mesh"));
+    ModelPart part;
+    for (const Node& named : {node, this->File.Element(node.At("mesh"), "meshes")})
+    {
+      const auto name = named.Find("name");
+      part.Name = part.Name.empty() && name ? name->String() : part.Name;
+    }
+    part.Polygons.Palette = this->Palette;
+    if (node.Has("skin"))
+    {
+      this->Found.Count("skinned meshes", part.Name, "in their resting pose", "nothing moves here");
+    }
+    for (const Transform& instance : ReadInstances(this->File, node))
+    {
+      this->Count += source.Triangles.size();
+      if (this->Count > MaximumTriangles)
+      {
+        node.Fail("too many triangles over all instances; expected at most " + std::to_string(MaximumTriangles));
+      }
+      this->AddTriangles(source, world * instance, part);
+    }
+    if (part.Polygons.NumberOfPolygons() > 0)
+    {
+      this->Result.Parts.push_back(std::move(part));
+    }
+  }
+
+  void AddTriangles(const GltfMesh& source, const Transform& map, ModelPart& part)
+  {
+    Mesh& mesh = part.Polygons;
+    const auto first = static_cast<std::int64_t>(mesh.Points.size());
+    for (const Vector3& point : source.Points)
+    {
+      mesh.Points.push_back(map.Point(point));
+    }
+    const bool turned = map.Mirrors();
+    bool plain = false;
+    for (std::size_t t = 0; t < source.Triangles.size(); ++t)
+    {
+      const auto& [a, b, c] = source.Triangles[t];
+      const std::int32_t material = source.MaterialOf[t];
+      plain = plain || material < 0;
+      mesh.AddPolygon({first + a, first + (turned ? c : b), first + (turned ? b : c)},
+                      material < 0 ? this->Unnamed : material);
+    }
+    if (plain && !this->Use.Fallback)
+    {
+      this->Found.Count(UnnamedSubject, part.Name, UnnamedChoice, UnnamedReason);
+    }
+  }
+
+  const GltfFile& File;
+  const ModelUse& Use;
+  Model& Result;
+  GltfMeshes Meshes;
+  Tally Found;
+  std::vector<Material> Palette;
+  std::int32_t Unnamed = 0;
+  std::vector<bool> Visited;
+  std::vector<std::pair<std::size_t, Transform>> Work;
+  std::size_t Count = 0;
+};
+
+/** The numbers of the root nodes: of the default scene, or of the first. */
+std::vector<Node> Roots(const GltfFile& file)
+{
+  const auto scene = file.Root().Find("scene");
+  const std::vector<Node>& scenes = file.Section("scenes");
+  if (!scene && scenes.empty())
+  {
+    file.Root().Fail("no scenes; expected one, as a library of meshes has no place for them");
+  }
+  const Node& chosen = scene ? file.Element(*scene, "scenes") : scenes.front();
+  const auto nodes = chosen.Find("nodes");
+  return nodes ? nodes->Items() : std::vector<Node>();
+}
+}  // namespace
+
+Model ReadGltfModel(const std::string& path, const ModelUse& use)
+{
+  const GltfFile file(path);
+  Model model;
+  Walk(file, use, model).Run(Roots(file));
+  return model;
+}
+}  // namespace kalos::scene

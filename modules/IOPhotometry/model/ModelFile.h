@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Files that hold a whole model: .gltf, .glb and .obj. */
+#ifndef KalosModelFile_h
+#define KalosModelFile_h
+
+#include <string>
+
+#include "ModelUse.h"
+
+namespace kalos::scene
+{
+/** By the suffix of the name. */
+bool IsModelFile(const std::string& path);
+bool IsGltfFile(const std::string& path);
+
+/** The map from a file's metres times `scale`, with z or (`yUp`) y up, to metres with z up. */
+Transform UprightPlace(double scale, bool yUp);
+
+/**
+ * Read a model and check it; polygons without area are left out and counted. `place` is the scene file's value that
+ * names it. Throws SceneError.
+ */
+Model ReadModelFile(const Node& place, const std::string& path, const ModelUse& use);
+}  // namespace kalos::scene
+
+#endif
