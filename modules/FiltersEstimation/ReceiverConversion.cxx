@@ -127,6 +127,9 @@ std::size_t AttachResults(const kalos::Result& result, std::size_t first, vtkDat
   AddColumn(data, Names::Illuminance, result.illuminance, first, count);
   AddColumn(data, Names::IlluminanceStandardError, result.standardError, first, count);
   AddColumn(data, Names::DirectIlluminance, result.direct, first, count);
+  AddColumn(data, Names::IndirectIlluminanceStandardError, result.indirectError, first, count);
+  if (!result.replicateIlluminance.empty())
+    AddColumn(data, Names::IlluminanceReplicates, result.replicateIlluminance, first, count, result.replicates);
   AddColumn(data, Names::LargestScoreShare, result.largestScoreShare, first, count);
   AddFlags(data, Names::IntervalTrusted, result.trusted, first, count);
   if (result.alteredKernel)

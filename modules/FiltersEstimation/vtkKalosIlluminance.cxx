@@ -109,9 +109,10 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
       };
     const ControllerRanks ranks(this->Controller);
     const auto checkpoint = this->MakeCheckpoint();
+    kalos::Settings settings = this->MakeSettings(ranks, checkpoint.get());
+    settings.keepReplicates = this->KeepReplicates;
     const kalos::Result result = kalos::solve(
-        scene, receivers, this->MakeSettings(ranks, checkpoint.get()),
-        [this](double f) { return this->ReportProgress(f); }, show);
+        scene, receivers, settings, [this](double f) { return this->ReportProgress(f); }, show);
     if (result.trajectories == 0)  // stopped before the first round was complete
       return 1;
     using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -136,4 +137,5 @@ void vtkKalosIlluminance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "IntermediateResults: " << (this->IntermediateResults ? "on" : "off") << "\n";
+  os << indent << "KeepReplicates: " << (this->KeepReplicates ? "on" : "off") << "\n";
 }

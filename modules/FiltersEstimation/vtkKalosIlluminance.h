@@ -12,10 +12,11 @@
  * Direction, Distribution, SideU and SideV.
  *
  * Output: the receivers, of the same type, with the arrays Illuminance (lx), IlluminanceStandardError (lx),
- * DirectIlluminance (lx), LargestScoreShare (largest single score over the sum of all), IntervalTrusted (0 where the
- * standard error can not be believed: one score dominates, or the surroundings are too near to have been sampled); for
- * a method that alters the kernel KernelCorrection (lx, what the alteration added on the same trajectories); when the
- * surfaces have n > 1 bands IlluminanceBands (lx, n components); and the field data of vtkKalosEstimatorAlgorithm.
+ * DirectIlluminance (lx), IndirectIlluminanceStandardError (lx, of the rest), LargestScoreShare (largest single score
+ * over the sum of all), IntervalTrusted (0 where the standard error can not be believed: one score dominates, or the
+ * surroundings are too near to have been sampled); for a method that alters the kernel KernelCorrection (lx, what the
+ * alteration added on the same trajectories); when the surfaces have n > 1 bands IlluminanceBands (lx, n components);
+ * and the field data of vtkKalosEstimatorAlgorithm.
  *
  * LOCAL is equation (E1): E(r) = E_direct(r) + sum w_i (rho/pi) cos(theta) cos(theta') V / d^2, with spikes at concave
  * edges. SPHERE_PUBLISHED, SPHERE_EXACT, DISC and CLAMPED take the spikes out and are biased there. COMPENSATED is
@@ -45,6 +46,16 @@ public:
   vtkBooleanMacro(IntermediateResults, bool);
   ///@}
 
+  ///@{
+  /**
+   * Put out the estimates of the single replicates too, as IlluminanceReplicates: a mean or a ratio over receivers,
+   * which share trajectories, gets its standard error from them. Default off.
+   */
+  vtkSetMacro(KeepReplicates, bool);
+  vtkGetMacro(KeepReplicates, bool);
+  vtkBooleanMacro(KeepReplicates, bool);
+  ///@}
+
 protected:
   vtkKalosIlluminance();
   ~vtkKalosIlluminance() override = default;
@@ -54,6 +65,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   bool IntermediateResults = false;
+  bool KeepReplicates = false;
 
 private:
   /// A copy of the receivers that carries a result.

@@ -17,7 +17,7 @@ def parser():
     commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
 
     solve = commands.add_parser("solve", help="solve a scene into a folder of tables and pictures")
-    solve.add_argument("scene", metavar="SCENE.json", help="the scene file")
+    solve.add_argument("scene", metavar="SCENE", help="the scene file (.json), or a model with light in it (.glb, .gltf, .obj)")
     solve.add_argument("--out", metavar="DIR", required=True, help="folder for the results; made if it is not there")
     add_method_options(solve, DEFAULT_METHOD)
     add_goals(solve)
@@ -28,6 +28,7 @@ def parser():
                        help="take the surfaces as they are: neither repair them nor look for singular edges")
     solve.add_argument("--report", action="store_true",
                        help="write report.html as well: plans with isolux lines, tables, luminaires, audit, in one page to print")
+    solve.add_argument("--hdr", action="store_true", help="write NAME.hdr per camera as well, a Radiance picture")
     solve.set_defaults(run=run_solve)
 
     study = commands.add_parser("study", help="solve a scene with every combination of settings and measure the errors")
@@ -118,7 +119,7 @@ def run_solve(arguments):
         take_part(arguments.scene, options_of(arguments), arguments.prepare)
     else:
         solve(arguments.scene, arguments.out, options_of(arguments), say=print, preparing=arguments.prepare,
-              report=arguments.report)
+              report=arguments.report, hdr=arguments.hdr)
     return 0
 
 

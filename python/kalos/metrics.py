@@ -3,14 +3,14 @@
 
 Both are means of the vertical illuminance over directions about the vertical, here over ORIENTATIONS evenly spaced ones (half
 of them for a half cylinder): a single small source is hit to 0.2 %, light from everywhere far better. The orientations of a
-place share their trajectories, so the standard error of a mean is at most the mean of the standard errors; that is what is
-returned.
+place share their trajectories; the standard error of a mean is the spread of the means of independent replicates.
 """
 import numpy as np
 
 from kalos.errors import InputError, update
 from kalos.receivers import from_dataset, point_receivers
 from kalos.solve import illuminance
+from kalos.summary import error_of
 
 ORIENTATIONS = 36
 
@@ -51,4 +51,5 @@ def means(reader, points, turns, options):
     estimator.SetInputDataObject(0, point_receivers(np.repeat(points, turns.shape[1], axis=0), normals.reshape(-1, 3)))
     update(estimator)
     found = from_dataset("points", estimator.GetOutputDataObject(0))
-    return found.illuminance.reshape(turns.shape).mean(axis=1), found.standard_error.reshape(turns.shape).mean(axis=1)
+    replicates = found.replicates.reshape(*turns.shape, -1).mean(axis=1)
+    return found.illuminance.reshape(turns.shape).mean(axis=1), np.array([error_of(one) for one in replicates])

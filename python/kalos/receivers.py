@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The results of one receiver set as NumPy arrays."""
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -26,6 +27,7 @@ class Receivers:
     direct: np.ndarray  # lx
     trusted: np.ndarray  # bool: whether the standard error can be believed
     weights: np.ndarray  # areas of the cells, m2, or ones: what a mean over the set weighs by
+    replicates: Optional[np.ndarray] = None  # (n, replicates) lx: independent estimates, of which illuminance is the mean
 
     @property
     def cells(self):
@@ -48,7 +50,11 @@ def from_dataset(name, dataset):
     read = [vtk_to_numpy(data.GetArray(key)).astype(float)
             for key in (arrays.ILLUMINANCE, arrays.ILLUMINANCE_STANDARD_ERROR, arrays.DIRECT_ILLUMINANCE)]
     trusted = vtk_to_numpy(data.GetArray(arrays.INTERVAL_TRUSTED)) != 0
-    return Receivers(name, dataset, points, vtk_to_numpy(data.GetNormals()).astype(float), *read, trusted, weights)
+    replicates = data.GetArray(arrays.ILLUMINANCE_REPLICATES)
+    if replicates:  # they are for figures, too many to write
+        replicates = vtk_to_numpy(replicates).reshape(len(points), -1)
+        data.RemoveArray(arrays.ILLUMINANCE_REPLICATES)
+    return Receivers(name, dataset, points, vtk_to_numpy(data.GetNormals()).astype(float), *read, trusted, weights, replicates)
 
 
 def point_receivers(points, normals):

@@ -9,12 +9,15 @@ from pathlib import Path
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from kalos import pictures, summary
+from kalos import arrays, pictures, summary
 from kalos.errors import update
 from kalos.isolux import isolux
 from kalos.photometry import draw_photometry, facts, read_photometry
 from kalos.plan import draw_plan
 from kalos.projection import flat_frame
+from kalos.solve import MODELS
+
+KINDS = ("isotropic", "lambertian", "light of the model")  # by Distribution, for luminaires that no scene file describes
 
 STYLE = """
 body { font: 15px/1.45 system-ui, sans-serif; color: #1d2429; max-width: 62rem; margin: 2rem auto; padding: 0 1.5rem; }
@@ -37,6 +40,7 @@ def write_report(folder, scene, reader, receivers, images, result):
             f"{result['seconds']:.3g} s ({result['cpu_seconds']:.3g} s of processor time). Every value is an estimate; ± is one "
             "standard error, two of them hold the true value in about 95 of 100 cases.</p>"]
     body += receiver_sections(folder, receivers, result)
+    body += glare_section(result)
     body += camera_sections(images, result)
     body += luminaire_section(scene, reader, result)
     body += ["<h2>What was modelled, and why</h2>",
@@ -54,25 +58,12 @@ def receiver_sections(folder, receivers, result):
     for one in receivers:
         values = result["receivers"][one.name]
         worst = values["largest_relative_standard_error"]
-        rows.append((one.name, len(one.illuminance), *map(with_error, extremes(one)), summary.number(values["U0"]),
-                     summary.number(values["Ud"]), "-" if worst is None else f"{100 * worst:.2g} %", values["untrusted"]))
-    sections = ["<h2>Illuminance</h2>", table(head, rows, numbers=range(1, 9)),
-                "<p class='facts'>The mean's error is an upper bound: that of receivers which all err alike.</p>"]
+        rows.append((one.name, len(one.illuminance), *(summary.with_error(values, key) for key in ("mean", "min", "max", "U0", "Ud")),
+                     "-" if worst is None else f"{100 * worst:.2g} %", values["untrusted"]))
+    sections = ["<h2>Illuminance</h2>", table(head, rows, numbers=range(1, 9))]
     for one in receivers:
         sections.append(f"<div class='together'><h3>{escape(one.name)}</h3>{receiver_picture(folder, one)}</div>")
     return sections
-
-
-def extremes(one):
-    """Mean, smallest and largest value, each with its standard error; receivers share trajectories and may err together."""
-    low, high = one.illuminance.argmin(), one.illuminance.argmax()
-    weights = one.weights / one.weights.sum()
-    return ((one.illuminance @ weights, one.standard_error @ weights), (one.illuminance[low], one.standard_error[low]),
-            (one.illuminance[high], one.standard_error[high]))
-
-
-def with_error(pair):
-    return f"{summary.number(pair[0])} ± {pair[1]:.2g}"
 
 
 def receiver_picture(folder, one):
@@ -88,6 +79,15 @@ def receiver_picture(folder, one):
     writer.SetInputData(lines)
     update(writer, writer.Write)
     return embedded(file, f"plan of {one.name} with isolux lines")
+
+
+def glare_section(result):
+    if not result["observers"]:
+        return []
+    rows = [(name, *(summary.with_error(figures, key) for key in ("UGR", "background_luminance")), figures["sources"])
+            for name, figures in result["observers"].items()]
+    return ["<h2>Discomfort glare</h2>", table(("observer", "UGR", "background cd/m²", "sources"), rows, numbers=(1, 2, 3)),
+            "<p class='facts'>Unified glare rating of CIE 117; - where no source is seen.</p>"]
 
 
 def camera_sections(images, result):
@@ -106,16 +106,19 @@ def luminaire_section(scene, reader, result):
     luminaires = reader.GetLuminaires()
     if luminaires.GetNumberOfPoints() == 0:
         return []
-    described = json.loads(Path(scene).read_text(encoding="utf-8"))["luminaires"]
-    flux = vtk_to_numpy(luminaires.GetPointData().GetArray("LuminousFlux"))
+    described = described_luminaires(scene)
+    data = luminaires.GetPointData()
+    flux, kinds = (vtk_to_numpy(data.GetArray(name)) for name in (arrays.LUMINOUS_FLUX, arrays.DISTRIBUTION))
+    names = data.GetAbstractArray(arrays.LUMINAIRE_NAMES)
     rows = []
-    for i, one in enumerate(described):
-        kind = one.get("file") or ("rectangle" if "rectangle" in one else one["distribution"])
+    for i in range(luminaires.GetNumberOfPoints()):
+        one = described.get(names.GetValue(i), {})
+        kind = one.get("file") or ("rectangle" if "rectangle" in one else KINDS[min(int(kinds[i]), len(KINDS) - 1)])
         place = ", ".join(f"{x:.2f}" for x in luminaires.GetPoint(i))
-        rows.append((one["name"], kind, place, summary.number(float(flux[i]))))
+        rows.append((names.GetValue(i), kind, place, summary.number(float(flux[i]))))
     sections = ["<h2>Luminaires</h2>", table(("luminaire", "distribution", "place, m", "flux, lm"), rows, numbers=(3,)),
                 f"<p class='facts'>{len(rows)} luminaires, {summary.number(float(flux.sum()))} lm together.</p>"]
-    for name, lamp_set in sorted({(one["file"], one.get("lamp_set", 1)) for one in described if "file" in one}):
+    for name, lamp_set in sorted({(one["file"], one.get("lamp_set", 1)) for one in described.values() if "file" in one}):
         photometry = read_photometry(Path(scene).parent / name, lamp_set)
         file = io.BytesIO()
         draw_photometry(file, photometry)
@@ -123,6 +126,13 @@ def luminaire_section(scene, reader, result):
         sections.append(f"<div class='together'><h3>{escape(name)}</h3>{picture}</div>")
     sections += [f"<p class='warning'>{escape(Path(w['file']).name)}: {escape(w['message'])}</p>" for w in result["warnings"]["list"]]
     return sections
+
+
+def described_luminaires(scene):
+    """The luminaires of a scene file by name; a model's own are not described beyond what the reader puts out."""
+    if Path(scene).suffix.lower() in MODELS:
+        return {}
+    return {one["name"]: one for one in json.loads(Path(scene).read_text(encoding="utf-8-sig")).get("luminaires", [])}
 
 
 def table(head, rows, numbers=()):

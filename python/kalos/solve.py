@@ -10,6 +10,8 @@ import kalos
 from kalos import arrays, pictures, summary as figures
 from kalos.errors import KalosError, update
 from kalos.estimator import Options, named_options
+from kalos.glare import rate_glare
+from kalos.hdr import write_hdr
 from kalos.output import staged
 from kalos.preparation import UNPREPARED, prepare_scene
 from kalos.progress import run
@@ -17,13 +19,15 @@ from kalos.receivers import from_dataset
 from kalos.tables import write_csv
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
+MODELS = (".glb", ".gltf", ".obj")  # files that are scenes without a JSON around them
 
-def solve(scene, out, options=Options(), say=lambda text: None, preparing=True, report=False):
-    """Solves the scene file into the folder `out` and returns what stands in summary.json.
+
+def solve(scene, out, options=Options(), say=lambda text: None, preparing=True, report=False, hdr=False):
+    """Solves the scene file, or the model (.glb, .gltf, .obj), into the folder `out` and returns what stands in summary.json.
 
     Every receiver set gives NAME.csv, NAME.vtp and NAME.png, every camera NAME.exr and NAME.png. `say` gets the audit,
     the result table and the paths of the pictures. With `preparing` the surfaces are repaired first, and the audit says
-    where they meet at singular edges. `report` adds report.html, and NAME-isolux.vtp for flat receiver sets. Raises
+    where they meet at singular edges. `hdr` adds NAME.hdr per camera, a Radiance picture. `report` adds report.html, and NAME-isolux.vtp for flat receiver sets. Raises
     KalosError; the folder then holds nothing new.
     """
     started = time.perf_counter()
@@ -32,8 +36,10 @@ def solve(scene, out, options=Options(), say=lambda text: None, preparing=True, 
     with staged(out) as folder:
         with named_options():
             receivers, images, outputs = estimate(reader, options, prepared)
+        observers, glare = rate_glare(reader, receivers, prepared)
         result = summarise(scene, options, receivers, images, outputs)
-        result["audit"] = prepared.audit + result["audit"]
+        result["observers"] = observers
+        result["audit"] = figures.audit(reader.GetSurfaces(), arrays.SCENE_NOTES) + prepared.audit + result["audit"] + glare
         result["setup_seconds"] = setup
         result["warnings"] = photometry_warnings(reader)
         for one in result["warnings"]["list"]:
@@ -41,6 +47,8 @@ def solve(scene, out, options=Options(), say=lambda text: None, preparing=True, 
         say("audit")
         say(figures.audit_text(result["audit"]))
         write(folder, receivers, images, result)
+        if hdr:
+            write_hdr(folder, reader, images)
         if report:
             from kalos.report import write_report  # its pictures take seconds to import and to draw
 
@@ -68,11 +76,12 @@ def take_part(scene, options=Options(), preparing=True):
 def set_up(scene, preparing):
     reader = read_scene(scene)
     check_results(reader, scene)
+    check_light(reader, scene)
     return reader, prepare_scene(scene, reader) if preparing else UNPREPARED
 
 
 def read_scene(path):
-    """A vtkKalosSceneReader that has read the file: ports 0 surfaces, 1 luminaires, 2 receivers, and the cameras."""
+    """A vtkKalosSceneReader that has read the scene or model file: ports 0 surfaces, 1 luminaires, 2 receivers, and the cameras."""
     reader = kalos.vtkKalosSceneReader()
     reader.SetFileName(os.fspath(path))
     update(reader)
@@ -103,6 +112,15 @@ def check_results(reader, scene):
                          "results stand in summary.json")
 
 
+def check_light(reader, scene):
+    """A model without light is a mistake, not a dark room; a scene file may say so on purpose."""
+    exitance = reader.GetSurfaces().GetCellData().GetArray(arrays.EXITANCE)
+    emits = exitance.GetNumberOfTuples() and exitance.GetRange(-1)[1] > 0
+    if os.fspath(scene).lower().endswith(MODELS) and not (emits or reader.GetLuminaires().GetNumberOfPoints()):
+        raise KalosError(f"{scene}: scene: nothing emits light; expected lights or emissive materials in the model, or a scene "
+                         "file around it with luminaires")
+
+
 def estimate(reader, options, prepared):
     """Runs the estimator over all receiver sets at once, then once per camera.
 
@@ -123,6 +141,7 @@ def estimate(reader, options, prepared):
 def illuminance(reader, options):
     """The filter that estimates all receiver sets of the scene."""
     estimator = kalos.vtkKalosIlluminance()
+    estimator.KeepReplicatesOn()  # for the errors of means and ratios
     estimator.SetInputConnection(0, reader.GetOutputPort(2))
     estimator.SetInputConnection(1, reader.GetOutputPort(0))
     estimator.SetInputConnection(2, reader.GetOutputPort(1))
@@ -155,7 +174,7 @@ def summarise(scene, options, receivers, images, outputs):
     audit = []
     for output in outputs:
         audit += [entry for entry in figures.audit(output) if entry not in audit]
-    sets = {r.name: {**figures.statistics(r.illuminance, r.standard_error, r.weights),
+    sets = {r.name: {**figures.statistics(r.illuminance, r.standard_error, r.weights, r.replicates),
                      "untrusted": int((~r.trusted).sum()), "trajectories": figures.trajectories(outputs[0])}
             for r in receivers}
     cameras = {name: {**figures.image_statistics(image), "trajectories": figures.trajectories(image)}

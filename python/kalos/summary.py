@@ -9,18 +9,43 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from kalos import arrays
 
 
-def statistics(values, standard_error, weights=None):
-    """Mean, extremes, uniformities U0 = min/mean and Ud = min/max, and the largest relative standard error.
+def statistics(values, standard_error, weights=None, replicates=None):
+    """Mean, extremes, uniformities U0 = min/mean and Ud = min/max, each with its standard error, and the largest relative
+    standard error of a single value.
 
-    A ratio to nothing is None. The mean weighs by `weights` (areas); the smallest value is not corrected for noise.
+    A ratio to nothing is None. The mean weighs by `weights` (areas); the smallest value is not corrected for noise. Values
+    share trajectories, so that the errors of mean and ratios come from the `replicates` (n, P): the spread of the means, and
+    to first order that of the ratios, at the places of the extremes. Without replicates the mean's is an upper bound, and
+    those of the ratios are None.
     """
     mean = float(np.average(values, weights=weights))
     low, high = float(values.min()), float(values.max())
     dark = values == 0
     relative = np.divide(standard_error, values, out=np.where(standard_error > 0, np.inf, 0.0), where=~dark)
     worst = float(relative.max())
-    return {"mean": mean, "min": low, "max": high, "U0": low / mean if mean else None, "Ud": low / high if high else None,
+    least, most = int(values.argmin()), int(values.argmax())
+    if replicates is None:
+        mean_error, ratio_errors = float(np.average(standard_error, weights=weights)), (None, None)
+    else:
+        means = np.average(replicates, axis=0, weights=weights)
+        mean_error = error_of(means)
+        ratio_errors = [ratio_error(replicates[least], whole, value) if value else None
+                        for whole, value in ((means, mean), (replicates[most], high))]
+    return {"mean": mean, "mean_standard_error": mean_error, "min": low, "min_standard_error": float(standard_error[least]),
+            "max": high, "max_standard_error": float(standard_error[most]),
+            "U0": low / mean if mean else None, "U0_standard_error": ratio_errors[0],
+            "Ud": low / high if high else None, "Ud_standard_error": ratio_errors[1],
             "largest_relative_standard_error": worst if math.isfinite(worst) else None}
+
+
+def error_of(replicates):
+    """Standard error of the mean of independent estimates."""
+    return float(replicates.std(ddof=1) / math.sqrt(len(replicates)))
+
+
+def ratio_error(part, whole, value):
+    """Standard error, to first order, of mean(part)/value, where `value` is mean(whole)."""
+    return error_of((part - part.mean() / value * whole) / value)
 
 
 def field_value(output, name):
@@ -34,9 +59,9 @@ def trajectories(output):
     return None if value is None else int(value)
 
 
-def audit(output):
-    """What the solve chose to model and why: a list of {subject, choice, reason}."""
-    table = output.GetFieldData().GetAbstractArray(arrays.AUDIT)
+def audit(output, name=arrays.AUDIT):
+    """What the solve chose to model and why, or what the reader of a scene did: a list of {subject, choice, reason}."""
+    table = output.GetFieldData().GetAbstractArray(name)
     if table is None:
         return []
     cells = [table.GetValue(i) for i in range(table.GetNumberOfValues())]
@@ -46,7 +71,7 @@ def audit(output):
 def image_statistics(image):
     values = vtk_to_numpy(image.GetPointData().GetArray(arrays.LUMINANCE)).astype(float)
     error = vtk_to_numpy(image.GetPointData().GetArray(arrays.LUMINANCE_STANDARD_ERROR)).astype(float)
-    return {key: value for key, value in statistics(values, error).items() if key not in ("U0", "Ud")}
+    return {key: value for key, value in statistics(values, error).items() if not key.startswith(("U0", "Ud"))}
 
 
 def write_json(path, summary):
@@ -72,15 +97,29 @@ def result_text(summary):
         for name, figures in sets.items():
             keys = ["mean", "min", "max", *(["U0", "Ud"] if uniform else [])]
             worst = figures["largest_relative_standard_error"]
-            rows.append([name, *(number(figures[key]) for key in keys),
+            rows.append([name, *(with_error(figures, key) for key in keys),
                          "-" if worst is None else f"{100 * worst:.3g} %",
                          *([str(figures["untrusted"])] if uniform else []), str(figures["trajectories"])])
-        widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
-        for row in rows:
-            lines.append("  " + row[0].ljust(widths[0]) + "".join("  " + c.rjust(w) for c, w in zip(row[1:], widths[1:])))
+        lines += aligned(rows)
+    if summary.get("observers"):
+        lines += aligned([["observer", "UGR", "background cd/m²", "sources"],
+                          *([name, with_error(figures, "UGR"), with_error(figures, "background_luminance"),
+                             str(figures["sources"])] for name, figures in summary["observers"].items())])
     if any(figures["untrusted"] for figures in summary["receivers"].values()):
         lines.append("  untrusted: receivers whose standard error can not be believed, as single scores carry the estimate")
     return "\n".join(lines)
+
+
+def aligned(rows):
+    """Rows of cells as lines: the first column to the left, the others to the right."""
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    return ["  " + row[0].ljust(widths[0]) + "".join("  " + c.rjust(w) for c, w in zip(row[1:], widths[1:])) for row in rows]
+
+
+def with_error(figures, key):
+    """A figure with its standard error, to two digits, where there is one."""
+    error = figures.get(f"{key}_standard_error")
+    return number(figures[key]) if figures[key] is None or error is None else f"{number(figures[key])} ± {error:.2g}"
 
 
 def number(value):

@@ -76,7 +76,7 @@ def test_tables_hold_what_the_data_sets_hold(solved):
 def test_summary(solved):
     folder, _, _ = solved
     summary = json.loads((folder / "summary.json").read_text())
-    assert sorted(summary) == ["audit", "cameras", "cpu_seconds", "kalos", "method", "receivers", "scene", "seconds", "seed",
+    assert sorted(summary) == ["audit", "cameras", "cpu_seconds", "kalos", "method", "observers", "receivers", "scene", "seconds", "seed",
                                "setup_seconds", "warnings"]
     assert summary["warnings"] == {"count": 0, "codes": {}, "list": []}
     assert (summary["kalos"], summary["method"], summary["seed"]) == (kalos.__version__, "compensated", 7)
@@ -90,7 +90,11 @@ def test_summary(solved):
     assert desk["largest_relative_standard_error"] == (values[:, 1] / values[:, 0]).max()
     assert desk["trajectories"] == 3200
     assert desk["untrusted"] == untrusted(folder / "desk.vtp")
-    assert sorted(summary["cameras"]["front"]) == ["largest_relative_standard_error", "max", "mean", "min", "trajectories"]
+    errors = [desk[f"{key}_standard_error"] for key in ("mean", "U0", "Ud")]
+    assert 0 < errors[0] < values[:, 1].mean() and all(0 < error < 0.2 for error in errors[1:])
+    assert [desk["min_standard_error"], desk["max_standard_error"]] == [values[values[:, 0].argmin(), 1], values[values[:, 0].argmax(), 1]]
+    assert sorted(summary["cameras"]["front"]) == ["largest_relative_standard_error", "max", "max_standard_error", "mean",
+                                                   "mean_standard_error", "min", "min_standard_error", "trajectories"]
 
 
 def test_pictures_show_something(solved):

@@ -21,7 +21,7 @@ pv.LoadPlugin(PLUGIN, remote=False, ns=pv.__dict__)
 # Stem of each XML and the group of its proxy.
 STEMS = {"CalculationPlane": "sources", "LuminaireSource": "sources", "SceneReader": "sources", "EXRReader": "sources",
          "PhotometryReader": "sources",
-         "EXRWriter": "writers", "FalseColor": "filters", "Illuminance": "filters", "LuminanceImage": "filters",
+         "EXRWriter": "writers", "HDRWriter": "writers", "GlareRating": "filters", "FalseColor": "filters", "Illuminance": "filters", "LuminanceImage": "filters",
          "SurfaceRepair": "filters", "SurfaceRemesh": "filters", "SingularEdges": "filters"}
 
 

@@ -2,11 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A corpus of damaged photometric files, made from two sound ones: name, text, and what is to happen.
 
-What is to happen is a part of the error message, or a set of warning codes for what is repaired. Run as a script with a
-folder, it writes the files there, as seeds for fuzzing.
+What is to happen is a part of the error message, or a set of warning codes for what is repaired. They are seeds for fuzzing
+too (tests/fuzz/seeds.py).
 """
-import sys
-from pathlib import Path
 
 IES = """IESNA:LM-63-2002
 [TEST] none
@@ -152,10 +150,3 @@ def corpus():
     for ending, cases in (("ies", ies_cases()), ("ldt", ldt_cases())):
         for name, text, expected in cases:
             yield f"{name}.{ending}", text if isinstance(text, bytes) else text.encode(), expected
-
-
-if __name__ == "__main__":
-    folder = Path(sys.argv[1])
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, content, _ in corpus():
-        (folder / name).write_bytes(content)

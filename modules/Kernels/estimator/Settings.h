@@ -39,6 +39,7 @@ struct Settings
   int threads = 0;                      ///< 0: all processors
   double delta = 0;                     ///< m, distance below which the sphere methods average; <= 0: automatic
   bool gatherEverywhere = false;        ///< `compensated` sends gather rays where nothing is near, too; moves no mean
+  bool keepReplicates = false;          ///< fill Result::replicateIlluminance
   double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; 0: automatic
 
   const Ranks* ranks = nullptr;  ///< processes that share the solve; null: this one alone
@@ -73,13 +74,15 @@ struct AuditLine
 struct Result
 {
   int bands = 1;
-  std::vector<double> illuminance;        ///< lx, photometric
-  std::vector<double> standardError;      ///< lx, of the photometric illuminance
-  std::vector<double> direct;             ///< lx, photometric, straight from the emitters
-  std::vector<double> illuminanceBands;   ///< lx, bands() values per receiver
-  std::vector<double> kernelCorrection;   ///< lx, altered kernel less plain kernel on the same trajectories
-  std::vector<double> largestScoreShare;  ///< largest single score over the sum of all, [0, 1]
-  std::vector<char> trusted;              ///< 1 where the standard error can be believed; rule in estimator/Trust.h
+  std::vector<double> illuminance;           ///< lx, photometric
+  std::vector<double> standardError;         ///< lx, of the photometric illuminance
+  std::vector<double> direct;                ///< lx, photometric, straight from the emitters
+  std::vector<double> indirectError;         ///< lx, standard error of illuminance less direct
+  std::vector<double> replicateIlluminance;  ///< lx, `replicates` estimates per receiver; see Settings::keepReplicates
+  std::vector<double> illuminanceBands;      ///< lx, bands() values per receiver
+  std::vector<double> kernelCorrection;      ///< lx, altered kernel less plain kernel on the same trajectories
+  std::vector<double> largestScoreShare;     ///< largest single score over the sum of all, [0, 1]
+  std::vector<char> trusted;                 ///< 1 where the standard error can be believed; rule in estimator/Trust.h
   long long trajectories = 0;
   long long rays = 0;  ///< traced by the solve; those of other solves of the process at the same time are in it
   int replicates = 0;

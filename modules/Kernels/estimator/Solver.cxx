@@ -111,10 +111,16 @@ private:
 };
 
 // Fills the result from `done` complete trajectories of every replicate.
-void conclude(const Tally& tally, long long done, const Estimator& estimator, Result& result)
+void conclude(const Tally& tally, long long done, const Estimator& estimator, bool keepReplicates, Result& result)
 {
   tally.write(done, result);
   result.trajectories = done * tally.replicates();
+  result.replicateIlluminance.clear();
+  for (std::size_t r = 0; keepReplicates && r < tally.receivers(); ++r)
+  {
+    const std::vector<double> estimates = tally.estimates(r, done);
+    result.replicateIlluminance.insert(result.replicateIlluminance.end(), estimates.begin(), estimates.end());
+  }
   result.trusted.clear();
   for (std::size_t r = 0; r < tally.receivers(); ++r)
     result.trusted.push_back(
@@ -162,7 +168,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
     checkpoint.resume(identify(scene, receivers, settings, static_cast<bool>(snapshot)), before, tally, *estimator);
   long long done = before.trajectories;
   if (done > 0)
-    conclude(tally, done, *estimator, result);
+    conclude(tally, done, *estimator, settings.keepReplicates, result);
   while (running)
   {
     clock();
@@ -177,7 +183,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
     {
       tally.exchange(ranks);
       estimator->exchange(ranks);
-      conclude(tally, done += count, *estimator, result);
+      conclude(tally, done += count, *estimator, settings.keepReplicates, result);
       clock();
       checkpoint.keep({done, result.seconds, result.cpuSeconds, result.rays}, tally, *estimator);
     }

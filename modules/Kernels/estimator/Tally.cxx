@@ -40,13 +40,23 @@ void Tally::persist(Archive& archive)
     archive.array(*sums);
 }
 
+std::vector<double> Tally::estimates(std::size_t receiver, long long n, bool indirectOnly) const
+{
+  const double fixed = indirectOnly ? 0 : photometric(&this->Fixed[receiver * this->BandCount], this->BandCount);
+  std::vector<double> all(this->Replicates);
+  for (int p = 0; p < this->Replicates; ++p)
+  {
+    const std::size_t i = this->at(receiver, p);
+    const double direct = indirectOnly ? photometric(&this->DirectPart[i], this->BandCount) : 0;
+    all[p] = fixed + (photometric(&this->Total[i], this->BandCount) - direct) / static_cast<double>(n);
+  }
+  return all;
+}
+
 MeanAndError Tally::summary(std::size_t receiver, long long n) const
 {
-  const double fixed = photometric(&this->Fixed[receiver * this->BandCount], this->BandCount);
-  std::vector<double> estimates(this->Replicates);
-  for (int p = 0; p < this->Replicates; ++p)
-    estimates[p] = fixed + photometric(&this->Total[this->at(receiver, p)], this->BandCount) / static_cast<double>(n);
-  return summarise(estimates.data(), estimates.size());
+  const std::vector<double> all = this->estimates(receiver, n);
+  return summarise(all.data(), all.size());
 }
 
 double Tally::largestShare(std::size_t receiver, long long n) const
@@ -64,6 +74,7 @@ void Tally::write(long long n, Result& result) const
   result.illuminance.resize(this->Receivers);
   result.standardError.resize(this->Receivers);
   result.direct.resize(this->Receivers);
+  result.indirectError.resize(this->Receivers);
   result.kernelCorrection.resize(this->Receivers);
   result.largestScoreShare.resize(this->Receivers);
   result.illuminanceBands.resize(this->Receivers * this->BandCount);
@@ -73,6 +84,8 @@ void Tally::write(long long n, Result& result) const
     const MeanAndError m = this->summary(r, n);
     result.illuminance[r] = m.mean;
     result.standardError[r] = m.standardError;
+    const std::vector<double> indirect = this->estimates(r, n, true);
+    result.indirectError[r] = summarise(indirect.data(), indirect.size()).standardError;
     result.largestScoreShare[r] = this->largestShare(r, n);
     const auto correction = this->Correction.begin() + static_cast<std::ptrdiff_t>(r * this->Replicates);
     result.kernelCorrection[r] = std::accumulate(correction, correction + this->Replicates, 0.0) / samples;

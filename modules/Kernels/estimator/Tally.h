@@ -48,6 +48,9 @@ public:
   /// Photometric mean and standard error over the replicates, n trajectories each.
   MeanAndError summary(std::size_t receiver, long long n) const;
 
+  /// The photometric estimates of all replicates, n trajectories each; of the indirect part alone if wanted.
+  std::vector<double> estimates(std::size_t receiver, long long n, bool indirectOnly = false) const;
+
   /// Largest single score over the sum of all, in [0, 1], with what does not fluctuate counted in the sum.
   double largestShare(std::size_t receiver, long long n) const;
 

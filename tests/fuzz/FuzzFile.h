@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What fuzz targets of file readers share: the input as a file, and a reader's errors kept off the screen.
+#ifndef FuzzFile_h
+#define FuzzFile_h
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+
+namespace fuzz
+{
+/// A folder of this process, in memory where there is such.
+inline std::filesystem::path folder()
+{
+  static const std::filesystem::path path = [] {
+    const char* base = std::filesystem::is_directory("/dev/shm") ? "/dev/shm" : "/tmp";
+    std::string name = std::string(base) + "/kalos-fuzz-XXXXXX";
+    if (!mkdtemp(name.data()))
+      std::abort();
+    static const struct Remover
+    {
+      std::string Name;
+      ~Remover() { std::filesystem::remove_all(this->Name); }
+    } remover{name};
+    return std::filesystem::path(name);
+  }();
+  return path;
+}
+
+inline std::string write(const std::string& name, const void* data, std::size_t size)
+{
+  const std::string path = (folder() / name).string();
+  std::ofstream(path, std::ios::binary).write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
+  return path;
+}
+
+inline void write(const std::string& name, const std::string& text)
+{
+  write(name, text.data(), text.size());
+}
+
+/// Updates an algorithm; whether it gave an error, which must be of one line.
+template <class Algorithm>
+bool fails(Algorithm* algorithm)
+{
+  struct Listener : vtkCommand
+  {
+    static Listener* New() { return new Listener; }
+    void Execute(vtkObject*, unsigned long, void* data) override
+    {
+      ++this->Count;
+      const std::string text = data ? static_cast<const char*>(data) : "";
+      const std::size_t start = text.find("): ");
+      const std::string message = start == std::string::npos ? text : text.substr(start + 3);
+      // VTK ends its events with blank lines.
+      if (message.find('\n') < message.find_last_not_of("\n "))
+        std::abort();
+    }
+    int Count = 0;
+  };
+  vtkNew<Listener> listener, echo;
+  algorithm->AddObserver(vtkCommand::ErrorEvent, listener.Get());
+  algorithm->AddObserver(vtkCommand::WarningEvent, echo.Get());
+  algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, echo.Get());
+  algorithm->Update();
+  return listener->Count > 0;
+}
+
+inline void require(bool condition)
+{
+  if (!condition)
+    std::abort();
+}
+}  // namespace fuzz
+
+#endif

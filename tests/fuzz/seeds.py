@@ -1,0 +1,66 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the seeds of the fuzz targets: seeds.py FOLDER makes FOLDER/FuzzScene and so on."""
+import json
+import shutil
+import sys
+from pathlib import Path
+
+TESTS = Path(__file__).resolve().parents[1]
+for folder in ("photometry", "filters"):
+    sys.path.insert(0, str(TESTS / folder))
+
+import gltf  # noqa: E402
+import mutations  # noqa: E402
+
+SCENE = {"kalos": 1, "materials": {"white": {"reflectance": 0.5}, "satin": {"reflectance": [0.4, 0.3, 0.2], "specular": 0.04,
+         "roughness": 0.2, "exitance": 9}, "mirror": {"reflectance": 0, "mirror": 0.9}},
+         "surfaces": [{"name": "q", "quad": {"origin": [0, 0, 0], "u": [5, 0, 0], "v": [0, 5, 0]}, "material": "white"},
+                      {"name": "b", "box": {"center": [3, 1, 1], "size": [1, 1, 2], "rotation_z_deg": 9}, "material": "satin"},
+                      {"name": "r", "file": "room.obj", "material": "mirror", "scale": 2, "up": "y"}],
+         "luminaires": [{"name": "l", "position": [2, 2, 5], "aim": [0, 0, -1], "flux": 100, "distribution": "lambertian"},
+                        {"name": "p", "rectangle": {"center": [6, 4, 3], "u": [1, 0, 0], "v": [0, 1, 0]}, "aim": [0, 0, -1], "flux": 9},
+                        {"name": "s", "position": [1, 1, 4], "aim": [0, 0, -1], "rotation_deg": 5, "file": "spot.ies"}],
+         "receivers": [{"name": "d", "plane": {"origin": [0, 0, 1], "u": [5, 0, 0], "v": [0, 5, 0], "resolution": [4, 4]}},
+                       {"name": "e", "plane": {"origin": [0, 0, 1], "u": [5, 0, 0], "v": [0, 5, 0], "spacing": "EN 12464-1"}},
+                       {"name": "t", "points": "probe.csv"}, {"name": "w", "surface": "q", "edge_length": 1, "flip": True},
+                       {"name": "o", "observer": {"position": [0, 0, 1], "target": [1, 0, 1]}}],
+         "cameras": [{"name": "c", "position": [2, -4, 2], "target": [2, 2, 2], "up": [0, 0, 1], "fov_deg": 45, "resolution": [8, 8]}]}
+
+
+def scenes():
+    yield json.dumps(SCENE)
+    yield json.dumps({"kalos": 1, "surfaces": [{"file": "room.obj", "lights": True, "cameras": False}]})
+
+
+def models():
+    model = gltf.floor(3, emissiveFactor=[1, 1, 1], extensions={"KHR_materials_emissive_strength": {"emissiveStrength": 10}})
+    model.light({"translation": [0, 2, 0], "rotation": [0.7, 0, 0, 0.7]}, type="spot", intensity=9, spot={"outerConeAngle": 1})
+    model.light({"scale": [1, 2, 1]}, type="directional", intensity=9, color=[1, 0.5, 0])
+    model.node(camera=model.add("cameras", type="perspective", perspective={"yfov": 1, "aspectRatio": 2}), matrix=[
+        1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1])
+    places = model.accessor([(0, 1, 0), (2, 1, 0)])
+    model.node(mesh=0, extensions={"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": places}}})
+    model.accessor([1], 5121, "SCALAR")
+    model["accessors"][0]["sparse"] = {"count": 1, "indices": {"bufferView": 3, "componentType": 5121}, "values": {"bufferView": 2}}
+    yield model.text()
+    yield model.binary()
+    yield "mtllib model.obj\nnewmtl a\nKd 0.5 0.5 0.5\nKs 1\nNs 9\nillum 3\no b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nf -1 -2 -3\n"
+
+
+def main(folder):
+    for target, seeds in (("FuzzScene", scenes()), ("FuzzModel", models())):
+        (folder / target).mkdir(parents=True, exist_ok=True)
+        for i, seed in enumerate(seeds):
+            (folder / target / f"seed-{i}").write_bytes(seed if isinstance(seed, bytes) else seed.encode())
+    (folder / "FuzzPhotometry").mkdir(exist_ok=True)
+    for name, content, _ in mutations.corpus():
+        (folder / "FuzzPhotometry" / name).write_bytes(content)
+    for kept in sorted((TESTS / "fuzz" / "corpus").iterdir()):
+        (folder / kept.name).mkdir(exist_ok=True)
+        for file in kept.iterdir():
+            shutil.copy(file, folder / kept.name)
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))
