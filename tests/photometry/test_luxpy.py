@@ -30,8 +30,8 @@ def samples():
     interpreter = os.environ.get("KALOS_LUXPY_PYTHON", sys.executable)
     ran = subprocess.run([interpreter, "-c", SCRIPT], capture_output=True, text=True, env={**os.environ, "PYTHONPATH": ""})
     if ran.returncode:
-        pytest.skip(f"luxpy cannot be imported by {interpreter}, so its reading is not compared; pip install luxpy in an "
-                    "environment and set KALOS_LUXPY_PYTHON to its python")
+        pytest.skip(f"luxpy cannot be imported by {interpreter}, so its reading is not compared; pip install luxpy "
+                    "matplotlib pandas 'numpy<2.2' in an environment and set KALOS_LUXPY_PYTHON to its python")
     return json.loads(ran.stdout.splitlines()[-1])
 
 
