@@ -125,6 +125,13 @@ def test_triangles_strips_and_fans(tmp_path, mode, order, expected, component):
     assert notes(reader)["surfaces without a material"] == "reflectance 0.5"
 
 
+def test_names_that_are_taken_or_no_file_names(tmp_path):
+    gltf = floor()
+    for name in ("floor", "floor", "floor 2", "a/b", "..", "", "x" * 300, "B\u00fcro"):
+        gltf.node(name=name, mesh=0)
+    assert names(read(gltf.save(tmp_path))) == ["floor", "floor 2", "floor 3", "floor 2 2", "a-b", "-.", "surface", "x" * 100, "B\u00fcro"]
+
+
 def test_sparse_accessors_and_quantised_points(tmp_path):
     gltf = floor()
     gltf.accessor([2], 5121, "SCALAR")

@@ -85,7 +85,6 @@ private:
       const auto name = named.Find("name");
       part.Name = part.Name.empty() && name ? name->String() : part.Name;
     }
-    part.Polygons.Palette = this->Palette;
     if (node.Has("skin"))
     {
       this->Found.Count("skinned meshes", part.Name, "in their resting pose", "nothing moves here");
@@ -101,6 +100,7 @@ private:
     }
     if (part.Polygons.NumberOfPolygons() > 0)
     {
+      part.Polygons.TakeMaterials(this->Palette);
       this->Result.Parts.push_back(std::move(part));
     }
   }

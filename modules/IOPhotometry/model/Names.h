@@ -38,12 +38,25 @@ inline std::string FreeName(std::string wish, const char* absent, std::set<std::
   std::replace_if(
       wish.begin(), wish.end(), [](unsigned char c) { return c < ' ' || c == 127 || c == '/' || c == '\\'; }, '-');
   wish[0] = wish[0] == '.' ? '-' : wish[0];
-  std::string name = wish;
-  for (int i = 2; !taken.insert(name).second; ++i)
+  if (taken.insert(wish).second)
   {
-    name = wish + " " + std::to_string(i);
+    return wish;
   }
-  return name;
+  // Numbers mostly run on: look for the end of their row by doubling and halving.
+  const auto numbered = [&wish](int i) { return wish + " " + std::to_string(i); };
+  int used = 1, free = 2;
+  while (taken.count(numbered(free)) > 0)
+  {
+    used = free;
+    free *= 2;
+  }
+  while (free - used > 1)
+  {
+    const int middle = used + (free - used) / 2;
+    (taken.count(numbered(middle)) > 0 ? used : free) = middle;
+  }
+  taken.insert(numbered(free));
+  return numbered(free);
 }
 }  // namespace kalos::scene
 

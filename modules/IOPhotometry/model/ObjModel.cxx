@@ -91,11 +91,7 @@ Model ReadObjModel(const std::string& path, const ModelUse& use)
   {
     const std::size_t object = file.ObjectOf[p];
     ModelPart& part = parts[object];
-    if (part.Polygons.Palette.empty())
-    {
-      part.Name = file.ObjectNames[object];
-      part.Polygons.Palette = palette;
-    }
+    part.Name = file.ObjectNames[object];
     std::vector<std::int64_t> corners;
     for (std::int64_t i = file.Polygons.Begin(p); i < file.Polygons.Ends[p]; ++i)
     {
@@ -114,6 +110,7 @@ Model ReadObjModel(const std::string& path, const ModelUse& use)
     if (part.Polygons.NumberOfPolygons() > 0)
     {
       TakePoints(part.Polygons, file.Polygons.Points, use.Place);
+      part.Polygons.TakeMaterials(palette);
       model.Parts.push_back(std::move(part));
     }
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "SceneError.h"
 
@@ -81,6 +82,20 @@ bool Mesh::HasArea(std::size_t polygon) const
   }
   // Relative, so that a millimetre part and a stadium are judged alike.
   return Norm(this->Area(polygon)) > 1e-13 * perimeter * perimeter;
+}
+
+void Mesh::TakeMaterials(const std::vector<Material>& all)
+{
+  std::map<std::int32_t, std::int32_t> numbers;
+  for (std::int32_t& material : this->MaterialOf)
+  {
+    const auto [known, added] = numbers.emplace(material, static_cast<std::int32_t>(this->Palette.size()));
+    if (added)
+    {
+      this->Palette.push_back(all[material]);
+    }
+    material = known->second;
+  }
 }
 
 std::size_t Mesh::DropDegenerate()

@@ -24,6 +24,8 @@ struct Mesh
   void AddPolygon(const std::vector<std::int64_t>& corners, std::int32_t material);
   /** Whether the polygon has an area beyond rounding, relative to its perimeter. */
   bool HasArea(std::size_t polygon) const;
+  /** MaterialOf counts `all`: make a palette of those that are used, and count that. */
+  void TakeMaterials(const std::vector<Material>& all);
   /** Leave out polygons without area; returns how many. */
   std::size_t DropDegenerate();
   /** Vector area: the normal times the area, m². */

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 #include <locale>
+#include <map>
 #include <sstream>
 
 #include "SceneError.h"
@@ -125,15 +126,15 @@ private:
   }
 
   /** The index of a name in a list, which gets it if it is new. */
-  static std::size_t Number(std::vector<std::string>& names, const std::string& name)
+  static std::size_t Number(std::vector<std::string>& names, std::map<std::string, std::size_t>& known,
+                            const std::string& name)
   {
-    const auto found = std::find(names.begin(), names.end(), name);
-    const auto number = static_cast<std::size_t>(found - names.begin());
-    if (found == names.end())
+    const auto [found, added] = known.emplace(name, names.size());
+    if (added)
     {
       names.push_back(name);
     }
-    return number;
+    return found->second;
   }
 
   void UseMaterial(std::istringstream& words)
@@ -143,7 +144,7 @@ private:
     {
       this->Fail("usemtl without a name; expected the name of a material");
     }
-    this->Material = static_cast<std::int32_t>(Number(this->Result.MaterialNames, name));
+    this->Material = static_cast<std::int32_t>(Number(this->Result.MaterialNames, this->Materials, name));
   }
 
   /** Groups divide a file that has no objects. */
@@ -152,12 +153,14 @@ private:
     this->HasObjects = this->HasObjects || keyword == "o";
     if (keyword == "o" || !this->HasObjects)
     {
-      this->Object = Number(this->Result.ObjectNames, name);
+      this->Object = Number(this->Result.ObjectNames, this->Objects, name);
     }
   }
 
   const std::string& Path;
   ObjFile Result;
+  std::map<std::string, std::size_t> Materials;
+  std::map<std::string, std::size_t> Objects{{"", 0}};
   std::int32_t Material = -1;
   std::size_t Object = 0;
   bool HasObjects = false;
