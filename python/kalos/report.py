@@ -39,7 +39,7 @@ def write_report(folder, scene, reader, receivers, images, result):
             f"<p class='facts'>Kalos {escape(result['kalos'])}, method {escape(result['method'])}, seed {result['seed']}, "
             f"{result['seconds']:.3g} s ({result['cpu_seconds']:.3g} s of processor time). Every value is an estimate; ± is one "
             "standard error, two of them hold the true value in about 95 of 100 cases.</p>"]
-    body += receiver_sections(folder, receivers, result)
+    body += receiver_sections(folder, [one for one in receivers if one.name not in result["observers"]], result)
     body += glare_section(result)
     body += camera_sections(images, result)
     body += luminaire_section(scene, reader, result)
@@ -84,9 +84,10 @@ def receiver_picture(folder, one):
 def glare_section(result):
     if not result["observers"]:
         return []
-    rows = [(name, *(summary.with_error(figures, key) for key in ("UGR", "background_luminance")), figures["sources"])
-            for name, figures in result["observers"].items()]
-    return ["<h2>Discomfort glare</h2>", table(("observer", "UGR", "background cd/m²", "sources"), rows, numbers=(1, 2, 3)),
+    rows = [(name, *(summary.with_error(figures, key) for key in ("UGR", "background_luminance")), figures["sources"],
+             summary.with_error(result["receivers"][name], "mean")) for name, figures in result["observers"].items()]
+    head = ("observer", "UGR", "background cd/m²", "sources in sight", "illuminance at the eye, lx")
+    return ["<h2>Discomfort glare</h2>", table(head, rows, numbers=range(1, 5)),
             "<p class='facts'>Unified glare rating of CIE 117; - where no source is seen.</p>"]
 
 
