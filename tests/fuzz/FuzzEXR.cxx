@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   const std::string path = fuzz::write("image.exr", data, size);
   vtkNew<vtkKalosEXRReader> reader;
   reader->SetFileName(path.c_str());
-  if (fuzz::fails(reader.Get()))
+  if (fuzz::fails(reader))
     return 0;
   vtkImageData* image = reader->GetOutput();
   vtkDataArray* luminance = image->GetPointData()->GetArray(vtkKalosArrayNames::Luminance);

@@ -27,7 +27,7 @@ inline void checkScene(const std::string& path)
 {
   vtkNew<vtkKalosSceneReader> reader;
   reader->SetFileName(path.c_str());
-  const bool failed = fails(reader.Get());
+  const bool failed = fails(reader);
   vtkPolyData* surfaces = reader->GetSurfaces();
   if (failed)
   {
