@@ -64,7 +64,7 @@ def test_every_method_runs_or_says_that_it_is_not_there(scene, command, tmp_path
 
 @pytest.mark.parametrize("arguments, message", [
     ((), "missing COMMAND; kalos --help tells more"),
-    (("solve",), "missing SCENE.json, --out; kalos solve --help tells more"),
+    (("solve",), "missing SCENE, --out; kalos solve --help tells more"),
     (("solve", "a.json"), "missing --out; kalos solve --help tells more"),
     (("solve", "a.json", "--out"), "--out: expected one argument; kalos solve --help tells more"),
     (("solve", "a.json", "--out", "b", "--bogus"), "unrecognized arguments: --bogus; kalos --help tells more")])
