@@ -151,3 +151,43 @@ TEST(BlackRoom, IsDirectLightAlone)
     EXPECT_TRUE(result.trusted[0]);
   }
 }
+
+// Slope of the root mean square error over the trajectories, 64 seeds each from 512 to 16384: -0.5 for independent
+// sampling within 0.08 (about 4 standard errors), and steeper for Sobol's points. Minutes: tests/run --long slopes.
+TEST(SampleStream, DISABLED_ErrorSlopes)
+{
+  const Scene scene(rooms::furnace(0.6, 100));
+  Receivers receivers;
+  receivers.points = {{0, 2.5, 2.5}, {2.5, 0.5, 0}, {0.3, 2.5, 5}};
+  receivers.normals = {{1, 0, 0}, {0, 0, 1}, {0, 0, -1}};
+  double slopes[2];
+  for (const Sampling sampling : {Sampling::Independent, Sampling::Sobol})
+  {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (long long trajectories = 512; trajectories <= 16384; trajectories *= 2, ++n)
+    {
+      double squares = 0;
+      for (std::uint64_t seed = 1; seed <= 64; ++seed)
+      {
+        Settings settings;
+        settings.trajectories = trajectories;
+        settings.seed = seed;
+        settings.sampling = sampling;
+        for (const double e : solve(scene, receivers, settings).illuminance)
+          squares += (e - 250) * (e - 250) / (64 * 3);
+      }
+      const double x = std::log(static_cast<double>(trajectories)), y = 0.5 * std::log(squares);
+      std::printf("%s, %lld trajectories: %.3f lx of 250\n", sampling == Sampling::Sobol ? "Sobol" : "independent",
+                  trajectories, std::exp(y));
+      sx += x;
+      sy += y;
+      sxx += x * x;
+      sxy += x * y;
+    }
+    const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    std::printf("%s: slope %.3f\n", sampling == Sampling::Sobol ? "Sobol" : "independent", slope);
+    slopes[sampling == Sampling::Sobol] = slope;
+  }
+  EXPECT_NEAR(slopes[0], -0.5, 0.08);
+  EXPECT_LT(slopes[1], slopes[0]);
+}
