@@ -61,6 +61,12 @@ constexpr const char* BackgroundLuminance = "BackgroundLuminance";  ///< cd/m²,
 constexpr const char* BackgroundLuminanceStandardError = "BackgroundLuminanceStandardError";  ///< cd/m²
 constexpr const char* GlareSources = "GlareSources";  ///< counts: sources, small ones, ones beyond 0.1 sr
 
+constexpr const char* GatherRays = "GatherRays";  ///< rays that COMPENSATED has sent from a receiver
+
+// Receivers of vtkKalosSingularEdges.
+constexpr const char* EdgeDistance = "EdgeDistance";  ///< m from the nearest singular edge; infinite without any
+constexpr const char* EdgeAngle = "EdgeAngle";        ///< degrees, of that edge
+
 // Results on surfaces and images.
 constexpr const char* Luminance = "Luminance";                            ///< cd/m²
 constexpr const char* LuminanceStandardError = "LuminanceStandardError";  ///< cd/m²

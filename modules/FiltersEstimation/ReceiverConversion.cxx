@@ -10,6 +10,7 @@
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkKalosArrayNames.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -62,6 +63,21 @@ void AppendCells(vtkDataSet* dataSet, vtkDataArray* normals, kalos::Receivers& r
   }
 }
 
+/// What vtkKalosSingularEdges has found, as the distance from a right-angled edge with the same kernel.
+void AppendEdgeDistances(vtkDataSetAttributes* data, vtkIdType count, kalos::Receivers& receivers)
+{
+  vtkDataArray* distance = data->GetArray(vtkKalosArrayNames::EdgeDistance);
+  vtkDataArray* angle = data->GetArray(vtkKalosArrayNames::EdgeAngle);
+  if (!distance || !angle || receivers.edgeDistances.size() + count != receivers.points.size())
+    return;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double d = distance->GetComponent(i, 0);
+    receivers.edgeDistances.push_back(
+        std::isfinite(d) ? d * std::tan(vtkMath::RadiansFromDegrees(angle->GetComponent(i, 0)) / 2) : d);
+  }
+}
+
 void AddColumn(vtkDataSetAttributes* data, const char* name, const std::vector<double>& values, std::size_t first,
                vtkIdType count, int components = 1)
 {
@@ -111,9 +127,13 @@ void AppendReceivers(vtkDataSet* dataSet, kalos::Receivers& receivers)
       receivers.normals.push_back(UnitNormal(normals, i));
     }
     receivers.cells.resize(receivers.points.size());
+    AppendEdgeDistances(dataSet->GetPointData(), dataSet->GetNumberOfPoints(), receivers);
   }
   else if (vtkDataArray* normals = dataSet->GetCellData()->GetNormals())
+  {
     AppendCells(dataSet, normals, receivers);
+    AppendEdgeDistances(dataSet->GetCellData(), dataSet->GetNumberOfCells(), receivers);
+  }
   else
     throw std::invalid_argument("receivers: have no normals, expected point normals or cell normals");
 }
@@ -132,6 +152,8 @@ std::size_t AttachResults(const kalos::Result& result, std::size_t first, vtkDat
     AddColumn(data, Names::IlluminanceReplicates, result.replicateIlluminance, first, count, result.replicates);
   AddColumn(data, Names::LargestScoreShare, result.largestScoreShare, first, count);
   AddFlags(data, Names::IntervalTrusted, result.trusted, first, count);
+  if (!result.gatherRays.empty())
+    AddColumn(data, Names::GatherRays, result.gatherRays, first, count);
   if (result.alteredKernel)
     AddColumn(data, Names::KernelCorrection, result.kernelCorrection, first, count);
   if (result.bands > 1)

@@ -14,7 +14,8 @@ class vtkDataSet;
 std::vector<vtkDataSet*> LeavesOf(vtkDataObject* object);
 
 /// Appends a data set's receivers: its points where it has point normals, else its cell centres where it has cell
-/// normals. Throws std::invalid_argument when it has neither or a normal is not of finite, non-zero length.
+/// normals; with what their arrays EdgeDistance and EdgeAngle say. Throws std::invalid_argument when it has neither or
+/// a normal is not of finite, non-zero length.
 void AppendReceivers(vtkDataSet* dataSet, kalos::Receivers& receivers);
 
 /// Attaches the results of receivers [first, ...) to the data set that AppendReceivers() took them from; returns the

@@ -6,6 +6,8 @@
  * Inputs
  * - port 0, receivers: a vtkDataSet with point normals (receivers are its points) or else cell normals (receivers are
  * its cell centres), or a vtkMultiBlockDataSet of such. All receivers share one set of trajectories.
+ *   With the arrays EdgeDistance and EdgeAngle of vtkKalosSingularEdges the audit says how many of those that gather
+ *   lie at singular edges.
  * - port 1, surfaces: vtkPolyData with the cell array Reflectance and optionally Exitance (lm/m²), Specular,
  *   Roughness and Mirror.
  * - port 2, luminaires (optional): vtkPolyData vertices with the point array LuminousFlux (lm) and optionally
@@ -15,7 +17,8 @@
  * DirectIlluminance (lx), IndirectIlluminanceStandardError (lx, of the rest), LargestScoreShare (largest single score
  * over the sum of all), IntervalTrusted (0 where the standard error can not be believed: one score dominates, or the
  * surroundings are too near to have been sampled); for a method that alters the kernel KernelCorrection (lx, what the
- * alteration added on the same trajectories); when the surfaces have n > 1 bands IlluminanceBands (lx, n components);
+ * alteration added on the same trajectories); for COMPENSATED GatherRays (rays sent from the receiver; 0 where vertices
+ * score everything); when the surfaces have n > 1 bands IlluminanceBands (lx, n components);
  * and the field data of vtkKalosEstimatorAlgorithm.
  *
  * LOCAL is equation (E1): E(r) = E_direct(r) + sum w_i (rho/pi) cos(theta) cos(theta') V / d^2, with spikes at concave

@@ -62,8 +62,10 @@ bool IsConvex(const TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids)
   return true;
 }
 
-void AddPolygon(TriangleMesh& mesh, vtkPoints* points, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
+/** Returns false if the polygon had to be cut into a fan. */
+bool AddPolygon(TriangleMesh& mesh, vtkPoints* points, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
 {
+  bool proper = true;
   if (size > 3 && !IsConvex(mesh, size, ids))
   {
     vtkNew<vtkPolygon> polygon;
@@ -75,13 +77,15 @@ void AddPolygon(TriangleMesh& mesh, vtkPoints* points, vtkIdType size, const vtk
       {
         AddTriangle(mesh, ids[triangles->GetId(i)], ids[triangles->GetId(i + 1)], ids[triangles->GetId(i + 2)], cell);
       }
-      return;
+      return true;
     }
+    proper = false;
   }
   for (vtkIdType i = 1; i + 1 < size; ++i)
   {
     AddTriangle(mesh, ids[0], ids[i], ids[i + 1], cell);
   }
+  return proper;
 }
 
 void AddStrip(TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
@@ -205,9 +209,9 @@ ConvertedMesh ConvertMesh(vtkPolyData* input)
       {
         AddStrip(mesh, size, ids, cell);
       }
-      else
+      else if (!AddPolygon(mesh, input->GetPoints(), size, ids, cell))
       {
-        AddPolygon(mesh, input->GetPoints(), size, ids, cell);
+        result.Crossing.push_back(cell);
       }
     }
   }

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <initializer_list>
+#include <vector>
 
 #include "mesh/TriangleMesh.h"
 #include "vtkType.h"
@@ -18,9 +19,10 @@ namespace kalos
 struct ConvertedMesh
 {
   meshing::TriangleMesh Mesh;
-  vtkIdType Polygons = 0;    ///< polygons and strips taken
-  vtkIdType Ignored = 0;     ///< vertices and lines, which are no surface
-  vtkIdType Degenerate = 0;  ///< polygons of fewer than three corners
+  vtkIdType Polygons = 0;           ///< polygons and strips taken
+  vtkIdType Ignored = 0;            ///< vertices and lines, which are no surface
+  vtkIdType Degenerate = 0;         ///< polygons of fewer than three corners
+  std::vector<vtkIdType> Crossing;  ///< polygons that no triangulation was found for and that became fans
 };
 
 /**

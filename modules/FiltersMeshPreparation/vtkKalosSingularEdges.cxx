@@ -17,6 +17,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
+#include "vtkKalosArrayNames.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -194,6 +195,16 @@ vtkKalosSingularEdges::vtkKalosSingularEdges()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
+}
+
+const char* vtkKalosSingularEdges::EdgeDistanceArrayName()
+{
+  return vtkKalosArrayNames::EdgeDistance;
+}
+
+const char* vtkKalosSingularEdges::EdgeAngleArrayName()
+{
+  return vtkKalosArrayNames::EdgeAngle;
 }
 
 vtkTable* vtkKalosSingularEdges::GetReport()

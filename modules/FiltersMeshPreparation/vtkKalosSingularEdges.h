@@ -125,8 +125,8 @@ public:
   static const char* DihedralAngleArrayName() { return "DihedralAngle"; }
   static const char* DihedralAngleBackArrayName() { return "DihedralAngleBack"; }
   static const char* SeverityArrayName() { return "Severity"; }
-  static const char* EdgeDistanceArrayName() { return "EdgeDistance"; }
-  static const char* EdgeAngleArrayName() { return "EdgeAngle"; }
+  static const char* EdgeDistanceArrayName();
+  static const char* EdgeAngleArrayName();
   ///@}
 
   vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

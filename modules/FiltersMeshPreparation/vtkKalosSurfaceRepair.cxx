@@ -63,6 +63,8 @@ void FillReport(const kalos::ConvertedMesh& input, const kalos::meshing::RepairR
   count("cells not repaired", done.unrepaired.size());
   report.Add("tolerance", "m", done.tolerance);
   report.Add("area before", "m\xC2\xB2", done.areaBefore);
+  report.Add("area of degenerate triangles dropped", "m\xC2\xB2", done.degenerateArea);
+  report.Add("area of duplicate triangles dropped", "m\xC2\xB2", done.duplicateArea);
   report.Add("area after", "m\xC2\xB2", done.areaAfter);
   for (int i = 0; i < 3; ++i)
   {
@@ -100,7 +102,11 @@ void vtkKalosSurfaceRepair::Work(vtkPolyData* input, kalos::ConvertedMesh& conve
   kalos::meshing::RepairSettings settings;
   settings.tolerance = this->Tolerance;
   settings.sided = EmittingCells(input);
-  const auto done = kalos::meshing::repair(converted.Mesh, settings, kalos::ProgressOf(this, this->TimeLimit));
+  auto done = kalos::meshing::repair(converted.Mesh, settings, kalos::ProgressOf(this, this->TimeLimit));
+  for (const vtkIdType cell : converted.Crossing)
+  {
+    done.unrepaired.push_back({static_cast<std::uint32_t>(cell), "its outline crosses itself; cut into a fan"});
+  }
   kalos::FillPolyData(converted.Mesh, input, output);
   NameUnrepaired(done.unrepaired, output);
   FillReport(converted, done, table);

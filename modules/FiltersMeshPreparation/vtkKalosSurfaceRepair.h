@@ -19,8 +19,9 @@
  *
  * Materials are what the material arrays and all integer and string cell arrays say. What cannot be repaired stays as
  * it was and is named in the field data array Unrepaired (strings, 2 components: cell of the input, reason): coincident
- * triangles of different materials, and surfaces whose emitting triangles face opposite ways. Holes stay; their edges
- * are counted.
+ * triangles of different materials, surfaces whose emitting triangles face opposite ways, and polygons whose outline
+ * crosses itself, which are cut into a fan. Holes stay; their edges are counted. The areas of what was dropped stand in
+ * the report, too.
  *
  * Properties:
  * - Tolerance (0): distance below which points are one, m; 0: 10^-6 of the diagonal of the input.

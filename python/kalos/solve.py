@@ -171,9 +171,8 @@ def luminance_image(reader, index, options):
 
 def summarise(scene, options, receivers, images, outputs):
     """The content of summary.json."""
-    audit = []
-    for output in outputs:
-        audit += [entry for entry in figures.audit(output) if entry not in audit]
+    labels = ["receivers"] * bool(receivers) + [f"camera {name}" for name in images]
+    audit = figures.joined_audit(dict(zip(labels, map(figures.audit, outputs))))
     sets = {r.name: {**figures.statistics(r.illuminance, r.standard_error, r.weights, r.replicates),
                      "untrusted": int((~r.trusted).sum()), "trajectories": figures.trajectories(outputs[0])}
             for r in receivers}

@@ -78,6 +78,18 @@ def write_json(path, summary):
     path.write_text(json.dumps(summary, indent=2, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
 
 
+def joined_audit(audits):
+    """The audits of several solves (label: lines) as one: what they agree on once, the rest with the label of each."""
+    every = {entry["subject"]: None for lines in audits.values() for entry in lines}
+    joined = []
+    for subject in every:
+        found = {label: [entry for entry in lines if entry["subject"] == subject] for label, lines in audits.items()}
+        agreed = all(lines == next(iter(found.values())) for lines in found.values())
+        for label, lines in list(found.items())[:1] if agreed else found.items():
+            joined += lines if agreed else [{**entry, "subject": f"{subject}, {label}"} for entry in lines]
+    return joined
+
+
 def audit_text(entries):
     """The audit for a person: subjects in a column, each with its choice and the reason."""
     width = max((len(entry["subject"]) for entry in entries), default=0)

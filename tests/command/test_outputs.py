@@ -82,6 +82,9 @@ def test_summary(solved):
     assert (summary["kalos"], summary["method"], summary["seed"]) == (kalos.__version__, "compensated", 7)
     assert summary["seconds"] > 0 and summary["cpu_seconds"] > 0 and summary["setup_seconds"] > 0
     assert all(sorted(entry) == ["choice", "reason", "subject"] for entry in summary["audit"]) and summary["audit"]
+    subjects = [entry["subject"] for entry in summary["audit"]]  # receivers and a camera agree, or each says its own
+    assert len(set(subjects)) == len(subjects)
+    assert {"bands", "gather rays, receivers", "gather rays, camera front"} <= set(subjects)
     values = read_csv(folder / "desk.csv")[:, 6:8]
     desk = summary["receivers"]["desk"]
     lowest, highest, mean = values[:, 0].min(), values[:, 0].max(), values[:, 0].mean()

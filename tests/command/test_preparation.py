@@ -5,6 +5,7 @@ import json
 
 import numpy as np
 import pytest
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 CUBE = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
@@ -61,6 +62,45 @@ def test_a_sound_scene_gives_the_same_numbers(furnace, command, tmp_path):
     reader.Update()
     distances = reader.GetOutput().GetPointData().GetArray("EdgeDistance")
     assert [distances.GetValue(i) for i in range(2)] == pytest.approx([0.5, 0.001])
+
+
+def test_receivers_gather_at_singular_edges_and_nowhere_else(furnace, command, tmp_path):
+    """In a cube of 1 m a wall counts within 0.08 of the square root of 6 m²."""
+    scene = furnace(cube())
+    text = json.loads(scene.read_text())
+    text["receivers"].append({"name": "walls", "surface": "room", "edge_length": 0.06})
+    scene.write_text(json.dumps(text))
+    status, printed, error = command("solve", scene, "--out", tmp_path / "out", "--trajectories", 3200)
+    assert status == 0, error
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(tmp_path / "out" / "walls.vtp"))
+    reader.Update()
+    data = reader.GetOutput().GetCellData()
+    distance, angle, rays = (vtk_to_numpy(data.GetArray(name)) for name in ("EdgeDistance", "EdgeAngle", "GatherRays"))
+    near = distance < 0.08 * np.sqrt(6)
+    assert 200 < near.sum() < len(near) - 200
+    np.testing.assert_array_equal(rays > 0, near)
+    np.testing.assert_allclose(angle, 90)
+    line, = (entry for entry in json.loads((tmp_path / "out" / "summary.json").read_text())["audit"]
+             if entry["subject"] == "gather rays")
+    assert line["choice"] == f"at {near.sum() + 1} of {len(near) + 2} receivers"
+    assert f"{near.sum() + 1} receivers at singular edges, 0 in gaps" in line["reason"]
+    spared = float(line["reason"].split(" spared")[0].split()[-1])
+    assert spared == pytest.approx(3200 / 80 * (len(near) + 1 - near.sum()), rel=0.01)
+
+
+def test_a_gap_is_told_from_an_edge(furnace, command, tmp_path):
+    """A shelf over the probe in the middle of the floor, 5 cm above it and far from every edge."""
+    scene = furnace(cube())
+    text = json.loads(scene.read_text())
+    text["surfaces"].append({"name": "shelf", "quad": {"origin": [0.4, 0.4, 0.05], "u": [0.2, 0, 0], "v": [0, 0.2, 0]},
+                             "material": "left"})
+    scene.write_text(json.dumps(text))
+    _, audit = solve(command, scene, tmp_path / "out")
+    assert audit["gather rays"] == "at 2 of 2 receivers"
+    reason = [entry["reason"] for entry in json.loads((tmp_path / "out" / "summary.json").read_text())["audit"]
+              if entry["subject"] == "gather rays"]
+    assert "1 receivers at singular edges, 1 in gaps" in reason[0]
 
 
 def test_defects_are_repaired(furnace, command, tmp_path):

@@ -48,6 +48,21 @@ def write_gltf(path):
                       {"bufferView": 1, "componentType": 5123, "count": 36, "type": "SCALAR"}]}))
 
 
+def write_glb(path):
+    """The binary form: one chunk of JSON, one of numbers."""
+    import base64
+    import struct
+
+    write_gltf(path)
+    text = json.loads(path.read_text())
+    data = base64.b64decode(text["buffers"][0].pop("uri").split(",")[1])
+    head = json.dumps(text).encode()
+    head += b" " * (-len(head) % 4)
+    data += b"\0" * (-len(data) % 4)
+    path.write_bytes(struct.pack("<4sII", b"glTF", 2, 28 + len(head) + len(data)) + struct.pack("<I4s", len(head), b"JSON")
+                     + head + struct.pack("<I4s", len(data), b"BIN\0") + data)
+
+
 def by(writer):
     def write(path):
         writer_ = writer()
@@ -65,7 +80,7 @@ LOST = json.dumps({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes":
                    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
                                   "min": [0, 0, 0], "max": [1, 1, 1]}]})
 
-WRITERS = {"obj": write_obj, "off": write_off, "gltf": write_gltf, "ply": by(vtkPLYWriter), "stl": by(vtkSTLWriter),
+WRITERS = {"obj": write_obj, "off": write_off, "gltf": write_gltf, "glb": write_glb, "ply": by(vtkPLYWriter), "stl": by(vtkSTLWriter),
            "vtp": by(vtkXMLPolyDataWriter)}
 
 

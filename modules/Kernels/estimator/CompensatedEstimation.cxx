@@ -6,12 +6,14 @@ namespace kalos
 CompensatedEstimation::CompensatedEstimation(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Source(scene),
       Direct(scene, receivers, settings.walks()),
-      Light(scene, this->Source, settings, this->Direct.shadows())
+      Light(scene, this->Source, settings, this->Direct.shadows()),
+      EdgeDistances(receivers.edgeDistances)
 {
 }
 
 bool CompensatedEstimation::prepare(Workers& workers, Tally& tally)
 {
+  this->Replicates = tally.replicates();
   return this->Direct.prepare(workers, tally) &&
          (this->Direct.complete() || this->Light.prepare(this->Direct.sensors(), workers));
 }
@@ -41,12 +43,17 @@ bool CompensatedEstimation::addRound(long long first, int count, Workers& worker
   return scored;
 }
 
+std::vector<double> CompensatedEstimation::gatherRays() const
+{
+  return this->Light.raysSent(this->Replicates);
+}
+
 std::vector<AuditLine> CompensatedEstimation::audit() const
 {
   std::vector<AuditLine> lines = this->Direct.audit();
   lines.push_back({"kernel", "compensated", "bounded and unbiased; more gather rays where surfaces are near"});
   if (!this->Direct.complete())
-    lines.push_back(this->Light.audit());
+    lines.push_back(this->Light.audit(this->Replicates, this->EdgeDistances));
   return lines;
 }
 }  // namespace kalos

@@ -27,12 +27,15 @@ public:
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
   void persist(Archive& archive) override { this->Light.persist(archive); }
+  std::vector<double> gatherRays() const override;
   std::vector<AuditLine> audit() const override;
 
 private:
   Emission Source;
   DirectPart Direct;
   CompensatedLight Light;
+  std::vector<double> EdgeDistances;  // of Receivers
+  int Replicates = 0;
 };
 }  // namespace kalos
 

@@ -3,6 +3,7 @@
 
 #include <iomanip>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 #include "estimator/ProbeRays.h"
@@ -16,9 +17,12 @@ namespace
 // the least variance per second on a plane and on the floor of a furnished room.
 constexpr int verticesPerPick = 16;
 
-// Where no surface in front is nearer than this share of the square root of the scene's area, vertices alone had no
-// more variance than with gather rays: in a closet, an office and a hall with furniture, and a dark room behind a door.
+// At right angles, and where no surface in front is nearer than this share of the square root of the scene's area,
+// vertices alone had no more variance than with gather rays: in a closet, an office and a hall with furniture, and a
+// dark room behind a door.
 constexpr double clearance = 0.08;
+
+constexpr double leastShare = 1.0 / 80;  // gather rays per trajectory where a sensor gathers
 
 // Light of a mirror reaches a receiver by gather rays only, and vertices on gloss score in spikes.
 bool isDiffuse(const Scene& scene)
@@ -62,7 +66,7 @@ double CompensatedLight::chooseRayShare(const Sensor& sensor) const
   });
   // Measured on the floor and a plane of a furnished room and along a row of points into an edge: of 10, 20, 36 and 100
   // times the near part this gave the least variance per second at all three, or within a tenth of it.
-  return (1 + 10 * near) / 80;
+  return leastShare * (1 + 10 * near);
 }
 
 int CompensatedLight::rays(std::size_t r, const Round& round) const
@@ -90,6 +94,7 @@ void CompensatedLight::finish(const Round& round)
 {
   for (std::size_t r = 0; r < this->RaysDone.size(); ++r)
     this->RaysDone[r] += this->rays(r, round);
+  this->TrajectoriesDone += round.count;
 }
 
 void CompensatedLight::scoreVertices(const Sensor& sensor, std::size_t r, int replicate, const Round& round,
@@ -147,15 +152,35 @@ void CompensatedLight::scoreGathered(const Sensor& sensor, std::size_t r, int re
   }
 }
 
-AuditLine CompensatedLight::audit() const
+std::vector<double> CompensatedLight::raysSent(int replicates) const
 {
-  const auto gathering = std::count_if(this->RayShare.begin(), this->RayShare.end(), [](double s) { return s > 0; });
+  std::vector<double> sent;
+  for (const long long rays : this->RaysDone)
+    sent.push_back(static_cast<double>(rays) * replicates);
+  return sent;
+}
+
+AuditLine CompensatedLight::audit(int replicates, const std::vector<double>& edgeDistances) const
+{
+  std::size_t gathering = 0, atEdges = 0;
+  for (std::size_t r = 0; r < this->RayShare.size(); ++r)
+  {
+    gathering += this->RayShare[r] > 0;
+    atEdges += this->RayShare[r] > 0 && r < edgeDistances.size() && edgeDistances[r] < this->Clearance;
+  }
+  const std::vector<double> sent = this->raysSent(replicates);
+  const double spared = leastShare * static_cast<double>(this->TrajectoriesDone) * replicates *
+                        static_cast<double>(this->RayShare.size() - gathering);
   std::ostringstream reason;
+  reason << std::setprecision(3);
   if (std::isfinite(this->Clearance))
-    reason << "where a surface in front is nearer than " << std::setprecision(2) << this->Clearance
-           << " m; vertices see the rest as well";
+    reason << "where surfaces in front weigh as much as a wall within " << this->Clearance << " m; ";
   else
-    reason << "surfaces that are not diffuse are seen by them";
+    reason << (this->Wanted.gatherEverywhere ? "as was asked for; "
+                                             : "surfaces that are not diffuse are seen by them; ");
+  reason << std::accumulate(sent.begin(), sent.end(), 0.0) << " rays, " << spared << " spared elsewhere";
+  if (std::isfinite(this->Clearance) && edgeDistances.size() == this->RayShare.size())
+    reason << "; " << atEdges << " receivers at singular edges, " << gathering - atEdges << " in gaps";
   return {"gather rays",
           "at " + std::to_string(gathering) + " of " + std::to_string(this->RayShare.size()) + " receivers",
           reason.str()};

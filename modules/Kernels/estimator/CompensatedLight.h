@@ -40,9 +40,17 @@ public:
   void finish(const Round& round);
 
   /// Saves or restores what rounds leave behind.
-  void persist(Archive& archive) { archive.array(this->RaysDone); }
+  void persist(Archive& archive)
+  {
+    archive.array(this->RaysDone);
+    archive.value(this->TrajectoriesDone);
+  }
 
-  AuditLine audit() const;
+  /// Gather rays that each sensor has sent, of `replicates` together.
+  std::vector<double> raysSent(int replicates) const;
+
+  /// Where gather rays were sent and how many. `edgeDistances` as in Receivers.
+  AuditLine audit(int replicates, const std::vector<double>& edgeDistances) const;
 
 private:
   double chooseRayShare(const Sensor& sensor) const;
@@ -57,9 +65,10 @@ private:
   Settings Wanted;
   bool Shadows;
   Gathering Rays;
-  double Clearance;                 // m; sensors with no surface in front nearer than this need no gather rays
+  double Clearance;                 // m; sensors that are clear at this distance need no gather rays
   std::vector<double> RayShare;     // gather rays per trajectory, per sensor
   std::vector<long long> RaysDone;  // of a replicate in earlier rounds, per sensor
+  long long TrajectoriesDone = 0;   // of a replicate
 };
 }  // namespace kalos
 

@@ -38,6 +38,10 @@ public:
   /// estimator/Trust.h.
   virtual bool trusts(std::size_t /*receiver*/, long long /*trajectories*/) const { return true; }
 
+  /// Gather rays that each receiver has sent, over all replicates and ranks; empty where none of a method's are
+  /// counted.
+  virtual std::vector<double> gatherRays() const { return {}; }
+
   /// Independent replicates to run for `trajectories`, over all of them.
   virtual int replicates(long long trajectories) const { return replicateCount(trajectories); }
 

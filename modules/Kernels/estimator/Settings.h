@@ -61,6 +61,10 @@ struct Receivers
   std::vector<Vec3> points;
   std::vector<Vec3> normals;             ///< unit
   std::vector<std::vector<Vec3>> cells;  ///< corners of each receiver's own polygon; empty, or an empty cell: a point
+  /// Empty (or not complete: not known), or m from where the kernel is singular: as far as a right-angled edge with the
+  /// same kernel at that place would be, the distance over cot(alpha/2) of an edge of angle alpha. The audit holds it
+  /// against what is gathered.
+  std::vector<double> edgeDistances;
   std::vector<const Brdf*> brdfs;   ///< empty, or one each: not null asks for pi L reflected into `outgoing` instead
   std::vector<Vec3> outgoing;       ///< unit, with brdfs
   std::vector<char> followsMirror;  ///< 0: without the mirror part; with brdfs
@@ -83,6 +87,7 @@ struct Result
   std::vector<double> kernelCorrection;      ///< lx, altered kernel less plain kernel on the same trajectories
   std::vector<double> largestScoreShare;     ///< largest single score over the sum of all, [0, 1]
   std::vector<char> trusted;                 ///< 1 where the standard error can be believed; rule in estimator/Trust.h
+  std::vector<double> gatherRays;            ///< sent from each receiver by `compensated`; empty for other methods
   long long trajectories = 0;
   long long rays = 0;  ///< traced by the solve; those of other solves of the process at the same time are in it
   int replicates = 0;

@@ -121,6 +121,7 @@ void conclude(const Tally& tally, long long done, const Estimator& estimator, bo
     const std::vector<double> estimates = tally.estimates(r, done);
     result.replicateIlluminance.insert(result.replicateIlluminance.end(), estimates.begin(), estimates.end());
   }
+  result.gatherRays = estimator.gatherRays();
   result.trusted.clear();
   for (std::size_t r = 0; r < tally.receivers(); ++r)
     result.trusted.push_back(

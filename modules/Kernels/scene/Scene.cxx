@@ -150,6 +150,24 @@ double squaredDistance(const Vec3& p, const Vec3 corners[3], const Vec3& normal)
     nearest = std::min(nearest, squaredDistanceToSegment(p, corners[i], corners[(i + 1) % 3]));
   return nearest;
 }
+
+// The largest pi G that a sensor of normal n has with points of a wall at right angles which is at unit distance.
+constexpr double rightAngle = 3 * 1.7320508075688772 / 16;
+
+// An upper bound of pi G = cos(theta) cos(theta') / d^2 between a sensor of normal n and the points of a triangle that
+// is `distance` away and `height` under or over whose plane it lies; `cosine` is between n and the way to that plane.
+double largestKernel(double cosine, double height, double distance)
+{
+  if (!(distance > 0))
+    return std::numeric_limits<double>::infinity();
+  // In the whole plane, x heights from the foot of the perpendicular: (cosine + x sine) / (1 + x^2)^2 / height^2.
+  const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+  const double root = std::sqrt(4 * cosine * cosine + 3 * sine * sine);
+  const double x = cosine < 0 ? (root - 2 * cosine) / (3 * sine) : sine / (root + 2 * cosine);
+  const double inPlane = sine > 0 || cosine > 0 ? (cosine + x * sine) / std::pow(1 + x * x, 2) : 0;
+  // In this part of it cos(theta') <= height / distance.
+  return std::min(inPlane / (height * height), height / std::pow(distance, 3));
+}
 }  // namespace
 
 Vec3 Scene::settle(const Vec3& p, const Vec3& n) const
@@ -177,11 +195,16 @@ Vec3 Scene::settle(const Vec3& p, const Vec3& n) const
 bool Scene::clear(const Vec3& p, const Vec3& n, double radius) const
 {
   const double touch = 4 * length(this->offset(p, n) - p);  // what reaches no higher is of the sensor's own surface
+  const double limit = rightAngle / (radius * radius);
   bool clear = true;
   this->Rays.nearby(p, radius, [&](std::uint32_t t) {
     const Vec3 corners[3] = {this->corner(t, 0), this->corner(t, 1), this->corner(t, 2)};
-    const bool inFront = std::any_of(corners, corners + 3, [&](const Vec3& c) { return dot(c - p, n) > touch; });
-    if (inFront && squaredDistance(p, corners, this->Normals[t]) < radius * radius)
+    if (std::none_of(corners, corners + 3, [&](const Vec3& c) { return dot(c - p, n) > touch; }))
+      return clear;
+    const Vec3& side = this->Normals[t];
+    const double squared = squaredDistance(p, corners, side), over = dot(p - corners[0], side);
+    const double cosine = over > 0 ? -dot(side, n) : dot(side, n);
+    if (squared < radius * radius && largestKernel(cosine, std::abs(over), std::sqrt(squared)) > limit)
       clear = false;
     return clear;
   });

@@ -129,12 +129,16 @@ RepairReport repair(TriangleMesh& mesh, const RepairSettings& settings, const Pr
   const Merged merged = mergePoints(mesh, result.tolerance);
   result.pointsMerged = merged.points;
   result.pointsMoved = merged.moved;
+  const double merging = area(mesh);
   result.degenerate = dropDegenerate(mesh, result.tolerance);
   if (mesh.triangles.empty())
     throw std::invalid_argument("every triangle is degenerate (lower than the tolerance of " +
                                 std::to_string(result.tolerance) + " m); expected at least one that is not");
+  const double sound = area(mesh);
+  result.degenerateArea = merging - sound;
   const Duplicates duplicates = dropDuplicates(mesh, settings.sided);
   result.duplicate = duplicates.dropped;
+  result.duplicateArea = sound - area(mesh);
   if (duplicates.kept > 0)
     nameDuplicates(mesh, result.unrepaired);
   report(progress, 0.25);

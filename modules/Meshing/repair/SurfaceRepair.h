@@ -34,6 +34,7 @@ struct RepairReport
   std::size_t nonManifoldBefore = 0, nonManifoldAfter = 0;  ///< edges of three or more
   std::size_t surfaces = 0;                                 ///< connected parts
   double areaBefore = 0.0, areaAfter = 0.0, tolerance = 0.0;
+  double degenerateArea = 0.0, duplicateArea = 0.0;  ///< of the triangles dropped
   Bounds boundsBefore, boundsAfter;
   std::vector<Unrepaired> unrepaired;
 };

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** The nearest of many triangles. */
+#ifndef KalosMeshingNearestTriangle_h
+#define KalosMeshingNearestTriangle_h
+
+#include <memory>
+
+#include "mesh/TriangleMesh.h"
+
+namespace kalos::meshing
+{
+class NearestTriangle
+{
+public:
+  /** Over these triangles of a mesh, at least one. */
+  NearestTriangle(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles);
+  ~NearestTriangle();
+
+  /** Number of the triangle in the mesh. */
+  std::uint32_t to(const Point& point) const;
+
+private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+}  // namespace kalos::meshing
+
+#endif
