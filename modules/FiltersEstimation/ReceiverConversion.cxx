@@ -9,6 +9,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkKalosArrayLengths.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
@@ -120,6 +121,7 @@ void AppendReceivers(vtkDataSet* dataSet, kalos::Receivers& receivers)
 {
   if (HasPointReceivers(dataSet))
   {
+    vtkKalosArrayLengths::Require(dataSet->GetPointData(), dataSet->GetNumberOfPoints(), "receiver points");
     vtkDataArray* normals = dataSet->GetPointData()->GetNormals();
     for (vtkIdType i = 0; i < dataSet->GetNumberOfPoints(); ++i)
     {
@@ -131,6 +133,7 @@ void AppendReceivers(vtkDataSet* dataSet, kalos::Receivers& receivers)
   }
   else if (vtkDataArray* normals = dataSet->GetCellData()->GetNormals())
   {
+    vtkKalosArrayLengths::Require(dataSet->GetCellData(), dataSet->GetNumberOfCells(), "receiver cells");
     AppendCells(dataSet, normals, receivers);
     AppendEdgeDistances(dataSet->GetCellData(), dataSet->GetNumberOfCells(), receivers);
   }

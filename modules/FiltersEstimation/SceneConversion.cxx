@@ -11,6 +11,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkKalosArrayLengths.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -107,6 +108,7 @@ void RefuseLostPolygons(vtkPolyData* input, vtkPolyData* triangles)
 
 void AddSurfaces(vtkPolyData* input, kalos::SceneDescription& scene)
 {
+  vtkKalosArrayLengths::Require(input->GetCellData(), input->GetNumberOfCells(), "surface cells");
   vtkNew<vtkTriangleFilter> triangulate;
   triangulate->SetInputData(input);
   triangulate->PassLinesOff();
@@ -213,6 +215,7 @@ void AddLuminaires(vtkPolyData* input, kalos::SceneDescription& scene)
   std::map<int, std::shared_ptr<const kalos::CandelaTable>> tables;
   if (input->GetNumberOfPoints() == 0)
     return;
+  vtkKalosArrayLengths::Require(input->GetPointData(), input->GetNumberOfPoints(), "luminaires");
   vtkDataArray* flux = input->GetPointData()->GetArray(Names::LuminousFlux);
   vtkDataArray* distribution = input->GetPointData()->GetArray(Names::Distribution);
   if (!flux)

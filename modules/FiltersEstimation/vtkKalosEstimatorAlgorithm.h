@@ -10,8 +10,8 @@
  * rounds that were complete, and the audit says so; it is empty when there was none. The same seed gives the same
  * numbers, bit by bit, for any number of threads.
  *
- * Errors: settings out of range, surfaces without the array Reflectance, values out of range or not finite give an
- * ErrorEvent and no output.
+ * Errors: settings out of range, surfaces without the array Reflectance, arrays shorter or longer than what they are
+ * of, values out of range or not finite give an ErrorEvent and no output.
  */
 #ifndef vtkKalosEstimatorAlgorithm_h
 #define vtkKalosEstimatorAlgorithm_h

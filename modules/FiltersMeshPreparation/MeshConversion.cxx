@@ -18,6 +18,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkIdList.h"
+#include "vtkKalosArrayLengths.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -128,7 +129,7 @@ std::vector<std::uint32_t> MaterialsOfCells(vtkPolyData* input)
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = data->GetAbstractArray(a);
-    if (!SaysWhatASurfaceIs(array) || array->GetNumberOfTuples() < input->GetNumberOfCells())
+    if (!SaysWhatASurfaceIs(array))
     {
       continue;
     }
@@ -176,6 +177,7 @@ ConvertedMesh ConvertMesh(vtkPolyData* input)
   {
     throw std::invalid_argument("the input has more than 4294967294 points; expected fewer");
   }
+  vtkKalosArrayLengths::Require(input->GetCellData(), input->GetNumberOfCells(), "cells");
   mesh.points.resize(static_cast<std::size_t>(input->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {

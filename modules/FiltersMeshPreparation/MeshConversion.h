@@ -26,7 +26,8 @@ struct ConvertedMesh
 };
 
 /**
- * The polygons and strips as triangles. Throws std::invalid_argument without any, or if one has a bad point.
+ * The polygons and strips as triangles. Throws std::invalid_argument without any, if one has a bad point, or if a cell
+ * array has another length than there are cells.
  *
  * Triangles have the same material number if their cells agree in every array that says what a surface is: the material
  * arrays of vtkKalosArrayNames.h, and all integer and string arrays.

@@ -10,7 +10,8 @@
  * remeshing would never end.
  *
  * Progress is reported and AbortExecute obeyed; then the outputs are empty. So they are after an error, which is one
- * error event: no polygons, a point that is missing, NaN or infinite, the time limit, and what subclasses add.
+ * error event: no polygons, a cell array of another length than the cells, a point that is missing, NaN or infinite,
+ * the time limit, and what subclasses add.
  */
 #ifndef vtkKalosSurfaceAlgorithm_h
 #define vtkKalosSurfaceAlgorithm_h

@@ -57,6 +57,14 @@ def lamp(**settings):
     return source.GetOutput()
 
 
+def shortened(data, name=None):
+    """With one value less in the array of that name, or in the normals."""
+    of_points, of_cells = data.GetPointData(), data.GetCellData()
+    array = (of_points.GetArray(name) or of_cells.GetArray(name)) if name else of_points.GetNormals()
+    array.SetNumberOfTuples(array.GetNumberOfTuples() - 1)
+    return data
+
+
 def estimator(receivers=None, room=None, lights=None, **settings):
     filter = vtkKalosIlluminance()
     filter.SetInputData(0, receivers if receivers is not None else probe())
@@ -181,6 +189,10 @@ def test_image_has_the_arrays_and_the_size():
      "surfaces: polygons worth 12 triangles have no area or cross themselves, expected simple polygons"),
     (dict(room=vtkPolyData(), lights=vtkPolyData()),
      "surfaces: no triangles and no luminaires, there is nothing to estimate"),
+    (dict(room=shortened(surfaces(), "Reflectance")), "Reflectance: has 5 tuples, expected one for each of the 6 surface cells"),
+    (dict(lights=shortened(lamp(), "LuminousFlux")), "LuminousFlux: has 0 tuples, expected one for each of the 1 luminaires"),
+    (dict(receivers=shortened(probe())),
+     "an array without a name: has 1 tuples, expected one for each of the 2 receiver points"),
     (dict(lights=probe()), "luminaires: the point array LuminousFlux is missing"),
     (dict(Method=99), "method: is none of those that exist"),
     (dict(Trajectories=-1), "trajectories: must be 0 (automatic) or more"),

@@ -246,7 +246,8 @@ ALL = (vtkKalosSurfaceRepair, vtkKalosSurfaceRemesh, vtkKalosSingularEdges)
 @pytest.mark.parametrize("data, message", [
     (vtkPolyData(), "no polygons"), (surface(NAN, [(0, 1, 2)]), "point 2 of cell 0 is NaN or infinite"),
     (surface(NAN[:2] + [(0, math.inf, 0)], [(0, 1, 2)]), "NaN or infinite"),
-    (surface(CUBE[:2], [(0, 1, 9)]), "point that is not there")])
+    (surface(CUBE[:2], [(0, 1, 9)]), "point that is not there"),
+    (surface(CUBE, SIDES, Reflectance=[0.5]), "Reflectance: has 1 tuples, expected one for each of the 6 cells")])
 def test_bad_meshes_are_refused(kind, data, message):
     filter_ = make(kind, data)
     assert message in update_error(filter_)
