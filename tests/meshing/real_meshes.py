@@ -32,10 +32,11 @@ def main():
     options = parser.parse_args()
     files = sorted(path for folder in options.folders for path in folder.rglob("*")
                    if path.is_file() and path.suffix.lower() in READERS)
+    outcomes = []
     with ThreadPoolExecutor(options.jobs) as pool:
-        outcomes = list(pool.map(lambda path: examine(path, options.time), files))
-    for path, outcome in zip(files, outcomes):
-        print(f"{outcome:12} {path}" if ":" not in outcome else f"{outcome}\n             {path}")
+        for path, outcome in zip(files, pool.map(lambda path: examine(path, options.time), files)):
+            outcomes.append(outcome)
+            print(f"{outcome:12} {path}", flush=True)
     counts = Counter(outcome.split(":")[0] for outcome in outcomes)
     print(f"{len(files)} files: " + ", ".join(f"{n} {word}" for word, n in sorted(counts.items())))
     return 1 if not files or any(word not in ("good", "refused", "given up", "no remesh") for word in counts) else 0

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/CompensatedLight.h"
 
+#include <cmath>
 #include <iomanip>
 #include <limits>
 #include <numeric>
@@ -178,7 +179,8 @@ AuditLine CompensatedLight::audit(int replicates, const std::vector<double>& edg
   else
     reason << (this->Wanted.gatherEverywhere ? "as was asked for; "
                                              : "surfaces that are not diffuse are seen by them; ");
-  reason << std::accumulate(sent.begin(), sent.end(), 0.0) << " rays, " << spared << " spared elsewhere";
+  reason << std::llround(std::accumulate(sent.begin(), sent.end(), 0.0)) << " rays, " << std::llround(spared)
+         << " spared elsewhere";
   if (std::isfinite(this->Clearance) && edgeDistances.size() == this->RayShare.size())
     reason << "; " << atEdges << " receivers at singular edges, " << gathering - atEdges << " in gaps";
   return {"gather rays",
