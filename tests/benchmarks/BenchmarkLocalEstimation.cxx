@@ -65,7 +65,8 @@ struct BareRays
             packets.emplace_back();
           SegmentPacket& p = packets.back();
           const int j = block.index[k];
-          p.ox[lane] = r.rayOrigin.x, p.oy[lane] = r.rayOrigin.y, p.oz[lane] = r.rayOrigin.z;
+          const Vec3& from = r.rayStart.lifted;
+          p.ox[lane] = from.x, p.oy[lane] = from.y, p.oz[lane] = from.z;
           p.dx[lane] = v.px[j] + v.offset[j] * v.nx[j] - p.ox[lane];
           p.dy[lane] = v.py[j] + v.offset[j] * v.ny[j] - p.oy[lane];
           p.dz[lane] = v.pz[j] + v.offset[j] * v.nz[j] - p.oz[lane];

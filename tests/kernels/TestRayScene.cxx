@@ -36,6 +36,104 @@ TEST(RayScene, AClosedRoomDoesNotLeak)
   }
 }
 
+namespace
+{
+// A prism whose long walls meet at the z axis at this angle.
+SceneDescription wedge(double degrees)
+{
+  SceneDescription d;
+  const auto m = rooms::addMaterial(d, 0.5);
+  const double half = degrees * pi / 360, reach = 4;
+  const Vec3 corners[3] = {
+      {}, {reach * std::cos(half), -reach * std::sin(half), 0}, {reach * std::cos(half), reach * std::sin(half), 0}};
+  const Vec3 up{0, 0, 3};
+  for (int i = 0; i < 3; ++i)
+    rooms::addQuad(d, corners[i], up, corners[(i + 1) % 3] - corners[i], m);
+  for (int k = 0; k < 2; ++k)
+  {
+    const auto first = static_cast<std::uint32_t>(d.points.size());
+    for (const Vec3& c : corners)
+      d.points.push_back(c + double(k) * up);
+    d.triangles.push_back({first, first + 1, first + 2});
+    d.triangleMaterial.push_back(m);
+  }
+  return d;
+}
+
+// Distance to the first triangle ahead, all in double precision; of the wall that p lies on no triangle is ahead.
+double firstAhead(const Scene& scene, const Vec3& p, const Vec3& direction)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::uint32_t t = 0; t < scene.data().triangles.size(); ++t)
+  {
+    const Vec3 &n = scene.normal(t), a = scene.corner(t, 0);
+    const double height = dot(n, p - a), distance = -height / dot(n, direction);
+    if (std::abs(height) < 1e-7 || !(distance > 0 && distance < nearest))
+      continue;
+    const Vec3 q = p + distance * direction;
+    bool inside = true;
+    for (int i = 0; i < 3; ++i)
+      inside = inside && dot(cross(scene.corner(t, (i + 1) % 3) - scene.corner(t, i), q - scene.corner(t, i)), n) >= 0;
+    if (inside)
+      nearest = distance;
+  }
+  return nearest;
+}
+}  // namespace
+
+// Where two walls meet at 5 degrees and are a few micrometres apart or less, single precision rays have no room to keep
+// off their own wall: they must still end where an obvious sibling in double precision says.
+TEST(RayScene, RaysFindTheirWayOutOfNarrowGaps)
+{
+  for (double away : {0.0, 1000.0, 1e6})
+  {
+    SceneDescription description = wedge(5);
+    const Vec3 shift{away, -2 * away, away};
+    rooms::translate(description, shift);
+    const Scene scene(description);
+    const Vec3 along = normalized(scene.corner(0, 2) - scene.corner(0, 0) - (scene.corner(0, 1) - scene.corner(0, 0)));
+    const Vec3 n =
+        dot(scene.normal(0), scene.corner(2, 0) - scene.corner(0, 0)) > 0 ? scene.normal(0) : -scene.normal(0);
+    RandomStream random(12, 0, Purpose::Gather, 0);
+    for (double h : {1e-5, 1e-4, 1e-2})
+    {
+      int wrong = 0, hidden = 0;
+      const int count = 20000;
+      for (int i = 0; i < count; ++i)
+      {
+        const Vec3 p = scene.corner(0, 0) + h * along + Vec3{0, 0, 0.5 + 2 * random.next()};
+        const double u1 = random.next(), u2 = random.next();
+        const Vec3 direction = Frame(n).toWorld(cosineHemisphere(u1, u2));
+        const double distance = firstAhead(scene, p, direction);
+        if (!std::isfinite(distance))  // walls of rounded coordinates leave gaps of 1e-10 m
+        {
+          ++wrong;
+          continue;
+        }
+        const SurfacePoint hit = scene.trace(p, n, direction);
+        wrong += !hit.valid || length(hit.position - p - distance * direction) > 1e-5;
+        const RayStart start = scene.start(p, n);
+        hidden += scene.rays().occluded(start, p + 0.999 * distance * direction) ||
+                  !scene.rays().occluded(start, p + 1.001 * distance * direction);
+      }
+      EXPECT_LE(wrong, 4) << h << " m from the edge, " << away << " m from the origin";  // of 20 000
+      EXPECT_LE(hidden, 20) << h << " m from the edge, " << away << " m from the origin";
+    }
+  }
+}
+
+// Layers that coincide but for rounding: a ray off the lower one is not caught below the upper one.
+TEST(RayScene, LayersThatNearlyCoincideHideNothing)
+{
+  SceneDescription d = rooms::litRoom(0.5);
+  rooms::addQuad(d, {1, 1, 1e-6}, {3, 0, 0}, {0, 3, 1e-7}, 0);
+  const Scene scene(d);
+  const Vec3 below = Vec3{2, 2, 0} - scene.origin(), up{0, 0, 1};
+  EXPECT_GT(scene.trace(below, up, normalized(Vec3{0.3, 0.2, 1})).position.z, 0);
+  EXPECT_FALSE(scene.rays().occluded(scene.start(below, up), Vec3{1, 0, 0}));
+  EXPECT_TRUE(scene.rays().occluded(scene.start(below - 2e-5 * up, up), Vec3{1, 0, 0}));
+}
+
 // A hit point lies in the plane of its triangle to double precision.
 TEST(RayScene, HitPointsAreExact)
 {
@@ -52,8 +150,8 @@ TEST(RayScene, RaysAreCounted)
 {
   const Scene scene(rooms::litRoom(0.5));
   const long long before = raysTraced();
-  scene.rays().intersect({0, 0, 0}, {0, 0, 1});
-  scene.rays().occluded({0, 0, 0}, {0, 0, 1});
+  scene.rays().intersect(Vec3{0, 0, 0}, {0, 0, 1});
+  scene.rays().occluded(Vec3{0, 0, 0}, {0, 0, 1});
   SegmentPacket packet{};
   std::thread([&] { scene.rays().occluded(packet, 5); }).join();
   EXPECT_EQ(raysTraced() - before, 7);
@@ -93,7 +191,7 @@ TEST(RayScene, CrossingsFindEveryTriangle)
   const auto m = rooms::addMaterial(d, 0.5);
   for (int k = 0; k < 5; ++k)
     rooms::addQuad(d, {0, 0, double(k)}, {1, 0, 0}, {0, 1, 0}, m);
-  const RayScene rays(d.points, d.triangles, RayScene::Queries::AllCrossings);
+  const RayScene rays(d.points, d.triangles);
   std::vector<std::uint32_t> met;
   rays.crossings({0.3, 0.2, -1}, {0.3, 0.2, 3.5}, [&](std::uint32_t t) { met.push_back(t); });
   std::sort(met.begin(), met.end());

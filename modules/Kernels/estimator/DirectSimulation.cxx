@@ -17,7 +17,7 @@ DirectSimulation::DirectSimulation(const Scene& scene, const Receivers& receiver
     const Vec3 s = this->HalfSide * frame.s, t = this->HalfSide * frame.t, p = receivers.points[i];
     this->addCell(isPoint ? std::vector<Vec3>{p - s - t, p + s - t, p + s + t, p - s + t} : receivers.cells[i], i);
   }
-  this->Cells = std::make_unique<RayScene>(this->CellPoints, this->CellTriangles, RayScene::Queries::AllCrossings);
+  this->Cells = std::make_unique<RayScene>(this->CellPoints, this->CellTriangles);
 }
 
 void DirectSimulation::addCell(const std::vector<Vec3>& corners, std::uint32_t receiver)

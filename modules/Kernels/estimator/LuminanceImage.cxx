@@ -108,10 +108,10 @@ private:
         return;
       weight *= material.mirror;
       direction = reflected(-direction, y.normal);
-      const Vec3 from = this->Lit.offset(y.position, y.normal);
+      const RayStart from = this->Lit.start(y.position, y.normal);
       y = this->Lit.trace(from, direction);
       Bands seen{};
-      this->Luminaires.addSeen(from, direction, y, uniformBands(weight / pi), seen);
+      this->Luminaires.addSeen(from.lifted, direction, y, uniformBands(weight / pi), seen);
       for (int b = 0; b < bands; ++b)
         this->Image.luminanceBands[pixel * bands + b] += seen[b];
     }

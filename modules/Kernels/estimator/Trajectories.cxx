@@ -23,11 +23,11 @@ void walk(const Scene& scene, const Emission& emission, SampleStream random, OnS
   Bands weight = start.weight;
   Vec3 direction = start.direction;
   bool fromPoint = start.fromPoint;
-  Vec3 from = start.onSurface ? scene.offset(start.position, start.normal) : start.position;
+  RayStart from = start.onSurface ? scene.start(start.position, start.normal) : start.position;
   SurfacePoint point = scene.trace(from, direction);
   for (bool first = true;; first = false)
   {
-    onSegment(from, direction, point, weight, first);
+    onSegment(from.lifted, direction, point, weight, first);
     if (!point.valid)
       return;
     onCollision(point, -direction, weight, fromPoint && !first);
@@ -41,7 +41,7 @@ void walk(const Scene& scene, const Emission& emission, SampleStream random, OnS
     for (int b = 0; b < scene.bands(); ++b)
       weight[b] *= next.weight[b];
     direction = next.direction;
-    from = scene.offset(point.position, point.normal);
+    from = scene.start(point.position, point.normal);
     point = scene.trace(from, direction);
   }
 }

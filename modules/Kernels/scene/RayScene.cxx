@@ -18,29 +18,51 @@ namespace kalos
 {
 namespace
 {
+// Traversal with a filter that sees every candidate; `context` is what the filter finds in its arguments.
 #if KALOS_EMBREE_VERSION >= 4
-using QueryArguments = RTCIntersectArguments;
-using OcclusionArguments = RTCOccludedArguments;
+using QueryContext = RTCRayQueryContext;
 constexpr auto filterFlag = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
-#else
-using QueryArguments = RTCIntersectContext;
-using OcclusionArguments = RTCIntersectContext;
-constexpr auto filterFlag = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
-#endif
 
-void initialise(QueryArguments& arguments)
+template <class Arguments>
+void setFilter(Arguments& arguments, QueryContext& context, RTCFilterFunctionN filter)
 {
-#if KALOS_EMBREE_VERSION >= 4
-  rtcInitIntersectArguments(&arguments);
-#else
-  rtcInitIntersectContext(&arguments);
-#endif
+  rtcInitRayQueryContext(&context);
+  arguments.context = &context;
+  arguments.filter = filter;
+  arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
 }
 
-#if KALOS_EMBREE_VERSION >= 4
-void initialise(OcclusionArguments& arguments)
+void traceFirst(RTCScene scene, QueryContext& context, RTCFilterFunctionN filter, RTCRayHit& query)
 {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  setFilter(arguments, context, filter);
+  rtcIntersect1(scene, &query, &arguments);
+}
+
+void traceAny(RTCScene scene, QueryContext& context, RTCFilterFunctionN filter, RTCRay& ray)
+{
+  RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
+  setFilter(arguments, context, filter);
+  rtcOccluded1(scene, &ray, &arguments);
+}
+#else
+using QueryContext = RTCIntersectContext;
+constexpr auto filterFlag = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+
+void traceFirst(RTCScene scene, QueryContext& context, RTCFilterFunctionN filter, RTCRayHit& query)
+{
+  rtcInitIntersectContext(&context);
+  context.filter = filter;
+  rtcIntersect1(scene, &context, &query);
+}
+
+void traceAny(RTCScene scene, QueryContext& context, RTCFilterFunctionN filter, RTCRay& ray)
+{
+  rtcInitIntersectContext(&context);
+  context.filter = filter;
+  rtcOccluded1(scene, &context, &ray);
 }
 #endif
 
@@ -62,22 +84,14 @@ RTCRay makeRay(const Vec3& origin, const Vec3& direction, float far)
 // A query that reports every crossing: the filter notes the triangle and rejects the hit, so that traversal goes on.
 struct CrossingQuery
 {
-  QueryArguments arguments;
-#if KALOS_EMBREE_VERSION >= 4
-  RTCRayQueryContext context;
-#endif
+  QueryContext context;  // first: the filter finds the query at its address
   const std::function<void(std::uint32_t)>* visit;
   std::uint32_t last;  // a triangle in two leaves of the hierarchy is reported twice in a row at most
 };
 
 void noteCrossing(const RTCFilterFunctionNArguments* filter)
 {
-#if KALOS_EMBREE_VERSION >= 4
-  auto* query =
-      reinterpret_cast<CrossingQuery*>(reinterpret_cast<char*>(filter->context) - offsetof(CrossingQuery, context));
-#else
-  auto* query = reinterpret_cast<CrossingQuery*>(filter->context);  // the first member
-#endif
+  auto* query = reinterpret_cast<CrossingQuery*>(filter->context);
   const auto triangle = RTCHitN_primID(filter->hit, filter->N, 0);
   if (triangle != query->last)
     (*query->visit)(triangle);
@@ -90,6 +104,9 @@ struct RayScene::Embree
 {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  std::vector<Vec3> points;  // in double precision, for what single precision can not decide
+  std::vector<Triangle> triangles;
+  double extent = 0;  // m, largest coordinate
 
   ~Embree()
   {
@@ -98,9 +115,49 @@ struct RayScene::Embree
     if (this->device)
       rtcReleaseDevice(this->device);
   }
+
+  // Candidates in single precision, from a little behind the start to a little beyond the end; the filter keeps those
+  // between them.
+  struct Query
+  {
+    QueryContext context;  // first: the filter finds the query at its address
+    const Embree* embree;
+    RayStart start;
+    Vec3 direction;
+    bool segment;  // that ends at the start's point + direction
+  };
+
+  Query ask(const RayStart& start, const Vec3& direction, bool segment, RTCRay& ray) const;
+  static void keepAhead(const RTCFilterFunctionNArguments* filter);
 };
 
-RayScene::RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, Queries queries)
+RayScene::Embree::Query RayScene::Embree::ask(const RayStart& start, const Vec3& direction, bool segment,
+                                              RTCRay& ray) const
+{
+  // Further than single precision errs.
+  const double behind = 0x1.0p-20 * std::max(this->extent, maxAbs(start.point)) / (length(direction) + 1e-30);
+  const double far = segment ? 1 + 2 * behind : std::numeric_limits<double>::infinity();
+  ray = makeRay(start.point - behind * direction, direction, static_cast<float>(far));
+  return {{}, this, start, direction, segment};
+}
+
+void RayScene::Embree::keepAhead(const RTCFilterFunctionNArguments* filter)
+{
+  const auto& query = *reinterpret_cast<const Query*>(filter->context);
+  const Triangle& t = query.embree->triangles[RTCHitN_primID(filter->hit, filter->N, 0)];
+  const Vec3 a = query.embree->points[t[0]];
+  const Vec3 n = cross(query.embree->points[t[1]] - a, query.embree->points[t[2]] - a);
+  constexpr double parallel = 0.998;  // squared cosine: within 2.6 degrees
+  const Vec3 lift = query.start.lifted - query.start.point;
+  const double along = dot(n, lift);
+  const Vec3& from = along * along > parallel * dot(n, n) * dot(lift, lift) ? query.start.lifted : query.start.point;
+  const double side = dot(n, from - a);
+  const double towards = query.segment ? dot(n, query.start.point + query.direction - a) : dot(n, query.direction);
+  if (!(side * towards < 0))
+    filter->valid[0] = 0;
+}
+
+RayScene::RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
     : Impl(std::make_unique<Embree>())
 {
   Embree& e = *this->Impl;
@@ -109,8 +166,11 @@ RayScene::RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>&
     throw std::runtime_error("Embree can not be started on this processor");
   e.scene = rtcNewScene(e.device);
   // Robust: no leaks through shared edges.
-  rtcSetSceneFlags(e.scene,
-                   queries == Queries::AllCrossings ? RTC_SCENE_FLAG_ROBUST | filterFlag : RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(e.scene, RTC_SCENE_FLAG_ROBUST | filterFlag);
+  e.points = points;
+  e.triangles = triangles;
+  for (const Vec3& p : points)
+    e.extent = std::max(e.extent, maxAbs(p));
 
   if (!triangles.empty())
   {
@@ -144,35 +204,24 @@ RayScene::RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>&
 
 RayScene::~RayScene() = default;
 
-Hit RayScene::intersect(const Vec3& origin, const Vec3& direction) const
+Hit RayScene::intersect(const RayStart& start, const Vec3& direction) const
 {
   countRays(1);
-  RTCRayHit query{};
-  query.ray = makeRay(origin, direction, std::numeric_limits<float>::infinity());
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  QueryArguments arguments;
-  initialise(arguments);
-#if KALOS_EMBREE_VERSION >= 4
-  rtcIntersect1(this->Impl->scene, &query, &arguments);
-#else
-  rtcIntersect1(this->Impl->scene, &arguments, &query);
-#endif
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+  RTCRayHit hit{};
+  hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  Embree::Query query = this->Impl->ask(start, direction, false, hit.ray);
+  traceFirst(this->Impl->scene, query.context, Embree::keepAhead, hit);
+  if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID)
     return {};
-  return {true, query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar};
+  return {true, hit.hit.primID, hit.hit.u, hit.hit.v};
 }
 
-bool RayScene::occluded(const Vec3& a, const Vec3& b) const
+bool RayScene::occluded(const RayStart& start, const Vec3& b) const
 {
   countRays(1);
-  RTCRay ray = makeRay(a, b - a, 1);
-  OcclusionArguments arguments;
-  initialise(arguments);
-#if KALOS_EMBREE_VERSION >= 4
-  rtcOccluded1(this->Impl->scene, &ray, &arguments);
-#else
-  rtcOccluded1(this->Impl->scene, &arguments, &ray);
-#endif
+  RTCRay ray;
+  Embree::Query query = this->Impl->ask(start, b - start.point, true, ray);
+  traceAny(this->Impl->scene, query.context, Embree::keepAhead, ray);
   return ray.tfar < 0;
 }
 
@@ -197,12 +246,14 @@ std::uint32_t RayScene::occluded(const SegmentPacket& segments, int count) const
     rays.id[i] = 0;
     rays.flags[i] = 0;
   }
-  OcclusionArguments arguments;
-  initialise(arguments);
 #if KALOS_EMBREE_VERSION >= 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
   rtcOccluded16(valid, this->Impl->scene, &rays, &arguments);
 #else
-  rtcOccluded16(valid, this->Impl->scene, &arguments, &rays);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded16(valid, this->Impl->scene, &context, &rays);
 #endif
   std::uint32_t mask = 0;
   for (int i = 0; i < count; ++i)
@@ -213,24 +264,13 @@ std::uint32_t RayScene::occluded(const SegmentPacket& segments, int count) const
 void RayScene::crossings(const Vec3& a, const Vec3& b, const std::function<void(std::uint32_t)>& visit) const
 {
   countRays(1);
-  RTCRayHit query{};
-  query.ray = makeRay(a, b - a, 1);
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  CrossingQuery crossing;
-  initialise(crossing.arguments);
-  crossing.visit = &visit;
-  crossing.last = RTC_INVALID_GEOMETRY_ID;
-#if KALOS_EMBREE_VERSION >= 4
-  rtcInitRayQueryContext(&crossing.context);
-  crossing.arguments.context = &crossing.context;
-  crossing.arguments.filter = noteCrossing;
-  crossing.arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
-  rtcIntersect1(this->Impl->scene, &query, &crossing.arguments);
-#else
-  crossing.arguments.filter = noteCrossing;
-  rtcIntersect1(this->Impl->scene, &crossing.arguments, &query);
-#endif
+  RTCRayHit hit{};
+  hit.ray = makeRay(a, b - a, 1);
+  hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  CrossingQuery query{{}, &visit, RTC_INVALID_GEOMETRY_ID};
+  traceFirst(this->Impl->scene, query.context, noteCrossing, hit);
 }
+
 void RayScene::nearby(const Vec3& p, double radius, const std::function<bool(std::uint32_t)>& visit) const
 {
   RTCPointQuery query{};

@@ -20,7 +20,19 @@ struct Hit
   bool valid = false;
   std::uint32_t triangle = 0;
   double u = 0, v = 0;  ///< barycentric weights of the triangle's second and third corner
-  double distance = 0;  ///< in lengths of the ray's direction
+};
+
+/// Where a ray starts: at a point in free space, or at a point of a surface, whose own triangle it does not meet.
+/// Which triangles lie ahead is decided in double precision, so that a ray leaves a gap of any width; but triangles
+/// nearly parallel to the surface are passed by as from `lifted`, for models hold layers that nearly coincide.
+struct RayStart
+{
+  Vec3 point;
+  Vec3 lifted;  ///< moved off the surface along its normal; equal to `point` in free space
+
+  RayStart() = default;
+  RayStart(const Vec3& p) : point(p), lifted(p) {}  // implicit: a point in free space is a start
+  RayStart(const Vec3& p, const Vec3& off) : point(p), lifted(off) {}
 };
 
 /// Sixteen segments in structure-of-arrays form: from o to o + d.
@@ -33,28 +45,22 @@ struct alignas(64) SegmentPacket
 class RayScene
 {
 public:
-  enum class Queries
-  {
-    FirstHit,     ///< intersect() and occluded()
-    AllCrossings  ///< crossings() too
-  };
-
   /// Copies the triangles; points in metres, near the origin (single precision inside).
-  RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
-           Queries queries = Queries::FirstHit);
+  RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
   ~RayScene();
 
-  /// First hit of the ray from `origin`, which the caller has moved off its surface, along `direction`.
-  Hit intersect(const Vec3& origin, const Vec3& direction) const;
+  /// First hit of a ray along `direction`.
+  Hit intersect(const RayStart& start, const Vec3& direction) const;
 
-  /// True when anything lies between the points a and b, which the caller has moved off their surfaces.
-  bool occluded(const Vec3& a, const Vec3& b) const;
+  /// True when anything lies between the start and b, which the caller has moved off its surface.
+  bool occluded(const RayStart& start, const Vec3& b) const;
 
-  /// Bit i of the result is set when segment i (of the first `count`) is occluded.
+  /// Bit i of the result is set when segment i (of the first `count`) is occluded. All in single precision: the caller
+  /// has moved both ends off their surfaces.
   std::uint32_t occluded(const SegmentPacket& segments, int count) const;
 
-  /// With Queries::AllCrossings: calls `visit(triangle)` for every triangle crossed by the segment from a to b, in no
-  /// particular order.
+  /// Calls `visit(triangle)` for every triangle crossed by the segment from a to b, in no particular order; in single
+  /// precision.
   void crossings(const Vec3& a, const Vec3& b, const std::function<void(std::uint32_t)>& visit) const;
 
   /// Calls `visit(triangle)` for every triangle whose bounding box comes within `radius` of p, possibly for some more;

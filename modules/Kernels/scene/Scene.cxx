@@ -94,14 +94,9 @@ Scene::Scene(SceneDescription description)
   }
 }
 
-SurfacePoint Scene::trace(const Vec3& p, const Vec3& n, const Vec3& direction) const
+SurfacePoint Scene::trace(const RayStart& start, const Vec3& direction) const
 {
-  return this->trace(this->offset(p, n), direction);
-}
-
-SurfacePoint Scene::trace(const Vec3& p, const Vec3& direction) const
-{
-  const Hit hit = this->Rays.intersect(p, direction);
+  const Hit hit = this->Rays.intersect(start, direction);
   SurfacePoint point;
   if (!hit.valid)
     return point;

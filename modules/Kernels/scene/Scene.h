@@ -58,9 +58,15 @@ public:
   Vec3 corner(std::uint32_t triangle, int i) const { return this->Data.points[this->Data.triangles[triangle][i]]; }
 
   /// First surface point along a ray from p, which lies on a surface of unit normal n (the side the ray leaves on).
-  SurfacePoint trace(const Vec3& p, const Vec3& n, const Vec3& direction) const;
-  /// The same from a point in free space.
-  SurfacePoint trace(const Vec3& p, const Vec3& direction) const;
+  SurfacePoint trace(const Vec3& p, const Vec3& n, const Vec3& direction) const
+  {
+    return this->trace(this->start(p, n), direction);
+  }
+  /// The same from a start, or from a point in free space.
+  SurfacePoint trace(const RayStart& start, const Vec3& direction) const;
+
+  /// Where rays leave a surface point p of unit normal n.
+  RayStart start(const Vec3& p, const Vec3& n) const { return {p, this->offset(p, n)}; }
 
   /// Moves p off its surface: by a few units in the last place of single precision at p.
   Vec3 offset(const Vec3& p, const Vec3& n) const { return p + (offsetScale * (maxAbs(p) + 0.05 * this->Size)) * n; }
