@@ -35,7 +35,7 @@ def test_closed_forms(said):
 
 
 def test_cube(said):
-    assert figures.cube(DATA, 1, said.append, trajectories=640)
+    assert figures.cube(DATA, 1, said.append, precision=5e-3)
     assert len(said) == 11
 
 

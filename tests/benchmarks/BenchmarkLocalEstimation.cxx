@@ -65,7 +65,7 @@ struct BareRays
             packets.emplace_back();
           SegmentPacket& p = packets.back();
           const int j = block.index[k];
-          const Vec3& from = r.rayStart.lifted;
+          const Vec3& from = r.anchor.lifted;
           p.ox[lane] = from.x, p.oy[lane] = from.y, p.oz[lane] = from.z;
           p.dx[lane] = v.px[j] + v.offset[j] * v.nx[j] - p.ox[lane];
           p.dy[lane] = v.py[j] + v.offset[j] * v.ny[j] - p.oy[lane];

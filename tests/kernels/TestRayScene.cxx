@@ -93,7 +93,7 @@ TEST(RayScene, RaysFindTheirWayOutOfNarrowGaps)
     const Scene scene(description);
     const Vec3 along = normalized(scene.corner(0, 2) - scene.corner(0, 0) - (scene.corner(0, 1) - scene.corner(0, 0)));
     const Vec3 n =
-        dot(scene.normal(0), scene.corner(2, 0) - scene.corner(0, 0)) > 0 ? scene.normal(0) : -scene.normal(0);
+        dot(scene.normal(0), scene.corner(4, 0) - scene.corner(0, 0)) > 0 ? scene.normal(0) : -scene.normal(0);
     RandomStream random(12, 0, Purpose::Gather, 0);
     for (double h : {1e-5, 1e-4, 1e-2})
     {
@@ -112,9 +112,9 @@ TEST(RayScene, RaysFindTheirWayOutOfNarrowGaps)
         }
         const SurfacePoint hit = scene.trace(p, n, direction);
         wrong += !hit.valid || length(hit.position - p - distance * direction) > 1e-5;
-        const RayStart start = scene.start(p, n);
-        hidden += scene.rays().occluded(start, p + 0.999 * distance * direction) ||
-                  !scene.rays().occluded(start, p + 1.001 * distance * direction);
+        const RayAnchor anchor = scene.anchor(p, n);
+        hidden += scene.rays().occluded(anchor, p + 0.999 * distance * direction) ||
+                  !scene.rays().occluded(anchor, p + 1.001 * distance * direction);
       }
       EXPECT_LE(wrong, 4) << h << " m from the edge, " << away << " m from the origin";  // of 20 000
       EXPECT_LE(hidden, 20) << h << " m from the edge, " << away << " m from the origin";
@@ -130,8 +130,8 @@ TEST(RayScene, LayersThatNearlyCoincideHideNothing)
   const Scene scene(d);
   const Vec3 below = Vec3{2, 2, 0} - scene.origin(), up{0, 0, 1};
   EXPECT_GT(scene.trace(below, up, normalized(Vec3{0.3, 0.2, 1})).position.z, 0);
-  EXPECT_FALSE(scene.rays().occluded(scene.start(below, up), Vec3{1, 0, 0}));
-  EXPECT_TRUE(scene.rays().occluded(scene.start(below - 2e-5 * up, up), Vec3{1, 0, 0}));
+  EXPECT_FALSE(scene.rays().occluded(scene.anchor(below, up), Vec3{1, 0, 0}));
+  EXPECT_TRUE(scene.rays().occluded(scene.anchor(below - 2e-5 * up, up), Vec3{1, 0, 0}));
 }
 
 // A hit point lies in the plane of its triangle to double precision.
@@ -151,7 +151,7 @@ TEST(RayScene, RaysAreCounted)
   const Scene scene(rooms::litRoom(0.5));
   const long long before = raysTraced();
   scene.rays().intersect(Vec3{0, 0, 0}, {0, 0, 1});
-  scene.rays().occluded(Vec3{0, 0, 0}, {0, 0, 1});
+  scene.rays().occluded(Vec3{0, 0, 0}, Vec3{0, 0, 1});
   SegmentPacket packet{};
   std::thread([&] { scene.rays().occluded(packet, 5); }).join();
   EXPECT_EQ(raysTraced() - before, 7);

@@ -63,7 +63,7 @@ void DirectLight::look(const Sensor& sensor, View& view) const
   for (const Luminaire& luminaire : this->Lit.data().luminaires)
   {
     const double e = this->pointIlluminance(luminaire, sensor);
-    if (e > 0 && !(this->Shadows && this->Lit.rays().occluded(sensor.rayStart, this->Lit.shadowTarget(luminaire))))
+    if (e > 0 && !(this->Shadows && this->Lit.rays().occluded(sensor.anchor, this->Lit.shadowTarget(luminaire))))
       pointSum += e;
   }
   view.points = uniformBands(pointSum);
@@ -101,7 +101,7 @@ bool DirectLight::sampleArea(const Area& area, const Sensor& sensor, double u1, 
   if (!(cosine > 0) || !(facing > 0 || behind))
     return false;
   const double distance = dot(area.corner[0] - r, area.normal) / -facing;
-  sample.target = this->Lit.offset(r + distance * sample.direction, behind ? -area.normal : area.normal);
+  sample.target = this->Lit.anchor(r + distance * sample.direction, behind ? -area.normal : area.normal);
   sample.cosineOverDensity = cosine * solidAngle;
   return true;
 }
@@ -142,7 +142,7 @@ double DirectLight::sampleAreas(const Sensor& sensor, const View& view, SampleSt
   const Bands exitance = this->exitanceTowards(area, sample.direction);
   for (int b = 0; b < this->Lit.bands(); ++b)
     w[b] = exitance[b] / pi * sample.cosineOverDensity / share;
-  const bool visible = !this->Shadows || !this->Lit.rays().occluded(sensor.rayStart, sample.target);
+  const bool visible = !this->Shadows || !this->Lit.rays().occluded(sensor.anchor, sample.target);
   return visible - (area.opening ? 0 : view.visibleShare);
 }
 
@@ -180,7 +180,7 @@ Bands DirectLight::sample(const Sensor& sensor, SampleStream& random, View& scra
     for (int b = 0; b < this->Lit.bands(); ++b)
       arriving[b] = exitance[b] / pi * sample.cosineOverDensity / share;
   }
-  if (this->Shadows && this->Lit.rays().occluded(sensor.rayStart, sample.target))
+  if (this->Shadows && this->Lit.rays().occluded(sensor.anchor, sample.target))
     return result;
   const Bands weight = response(sensor, sample.direction, this->Lit.bands());
   for (int b = 0; b < this->Lit.bands(); ++b)

@@ -68,7 +68,8 @@ private:
   /// A point of an area emitter, seen from the sensor in a direction uniform in solid angle; false when none is.
   struct AreaSample
   {
-    Vec3 direction, target;
+    Vec3 direction;
+    RayAnchor target;
     double cosineOverDensity;  // cos(theta) at the sensor times the solid angle, sr
   };
   Bands exitanceTowards(const Area& area, const Vec3& fromSensor) const;  // pi times the luminance, lm/m2

@@ -62,7 +62,7 @@ Bands Gathering::gather(const Sensor& sensor, const GatherPool& pool, const Star
       return sum;
     const SurfacePoint y = this->Lit.trace(at.position, at.normal, ray.direction);
     if (ray.mirror)
-      this->Luminaires.addSeen(at.rayStart.lifted, ray.direction, y, throughput, sum);
+      this->Luminaires.addSeen(at.anchor.lifted, ray.direction, y, throughput, sum);
     if (!y.valid)
       return sum;
     const Vec3 d = y.position - at.position;

@@ -108,7 +108,7 @@ private:
         return;
       weight *= material.mirror;
       direction = reflected(-direction, y.normal);
-      const RayStart from = this->Lit.start(y.position, y.normal);
+      const RayAnchor from = this->Lit.anchor(y.position, y.normal);
       y = this->Lit.trace(from, direction);
       Bands seen{};
       this->Luminaires.addSeen(from.lifted, direction, y, uniformBands(weight / pi), seen);

@@ -53,8 +53,8 @@ Bands MirrorImages::illuminance(const Sensor& sensor) const
     const Vec3 fromLamp = q - luminaire.position;
     const double e = this->Lit.material(image.triangle).mirror *
                      intensity(luminaire, (1 / length(fromLamp)) * fromLamp) * cosine / d2;
-    const RayStart front = this->Lit.start(q, height > 0 ? n : -n);
-    if (!(e > 0) || this->Lit.rays().occluded(sensor.rayStart, front.lifted) ||
+    const RayAnchor front = this->Lit.anchor(q, height > 0 ? n : -n);
+    if (!(e > 0) || this->Lit.rays().occluded(sensor.anchor, front) ||
         this->Lit.rays().occluded(front, this->Lit.shadowTarget(luminaire)))
       continue;
     const Bands weight = response(sensor, (1 / std::sqrt(d2)) * toImage, bands);

@@ -91,7 +91,7 @@ void formNearPairs(const VertexSet& v, std::size_t begin, int count, const Senso
 
 void fillPacket(const VertexSet& v, const Sensor& sensor, const int* indices, int count, SegmentPacket& packet)
 {
-  const FloatVector o(sensor.rayStart.lifted);
+  const FloatVector o(sensor.anchor.lifted);
   for (int i = 0; i < SegmentPacket::width; ++i)
   {
     const int j = indices[std::min(i, count - 1)];

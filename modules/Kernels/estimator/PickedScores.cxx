@@ -49,7 +49,7 @@ std::uint64_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sen
   {
     const auto j = static_cast<std::size_t>(indices[0]);
     const double offset = v.offset[j];
-    return rays.occluded(sensor.rayStart, v.position(j) + offset * v.normal(j));
+    return rays.occluded(sensor.anchor, v.position(j) + offset * v.normal(j));
   }
   std::uint64_t hidden = 0;
   SegmentPacket packet;

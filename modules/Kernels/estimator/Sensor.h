@@ -15,7 +15,7 @@ namespace kalos
 struct Sensor
 {
   Vec3 position, normal;
-  RayStart rayStart;           ///< of rays off the surface that the sensor may lie on
+  RayAnchor anchor;            ///< where its rays leave the surface that it may lie on
   const Brdf* brdf = nullptr;  ///< null: illuminance
   Vec3 outgoing;               ///< unit, away from the surface; with brdf
   bool followsMirror = true;   ///< false: the mirror part of the BRDF is left out
@@ -25,7 +25,7 @@ struct Sensor
   double ratio = std::numeric_limits<double>::infinity();
 
   Sensor() = default;
-  Sensor(const Scene& scene, const Vec3& p, const Vec3& n) : position(p), normal(n), rayStart(scene.start(p, n)) {}
+  Sensor(const Scene& scene, const Vec3& p, const Vec3& n) : position(p), normal(n), anchor(scene.anchor(p, n)) {}
 };
 
 /// x / (1 + x), also for infinite x: the gathered share of a pair whose G/G* is x.

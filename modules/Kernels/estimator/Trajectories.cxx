@@ -23,7 +23,7 @@ void walk(const Scene& scene, const Emission& emission, SampleStream random, OnS
   Bands weight = start.weight;
   Vec3 direction = start.direction;
   bool fromPoint = start.fromPoint;
-  RayStart from = start.onSurface ? scene.start(start.position, start.normal) : start.position;
+  RayAnchor from = start.onSurface ? scene.anchor(start.position, start.normal) : start.position;
   SurfacePoint point = scene.trace(from, direction);
   for (bool first = true;; first = false)
   {
@@ -41,7 +41,7 @@ void walk(const Scene& scene, const Emission& emission, SampleStream random, OnS
     for (int b = 0; b < scene.bands(); ++b)
       weight[b] *= next.weight[b];
     direction = next.direction;
-    from = scene.start(point.position, point.normal);
+    from = scene.anchor(point.position, point.normal);
     point = scene.trace(from, direction);
   }
 }

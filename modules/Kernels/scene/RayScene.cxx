@@ -122,24 +122,36 @@ struct RayScene::Embree
   {
     QueryContext context;  // first: the filter finds the query at its address
     const Embree* embree;
-    RayStart start;
+    RayAnchor start;
     Vec3 direction;
-    bool segment;  // that ends at the start's point + direction
+    const RayAnchor* end;  // null: the ray goes on for ever
   };
 
-  Query ask(const RayStart& start, const Vec3& direction, bool segment, RTCRay& ray) const;
+  Query ask(const RayAnchor& start, const Vec3& direction, const RayAnchor* end, RTCRay& ray) const;
   static void keepAhead(const RTCFilterFunctionNArguments* filter);
 };
 
-RayScene::Embree::Query RayScene::Embree::ask(const RayStart& start, const Vec3& direction, bool segment,
+RayScene::Embree::Query RayScene::Embree::ask(const RayAnchor& start, const Vec3& direction, const RayAnchor* end,
                                               RTCRay& ray) const
 {
   // Further than single precision errs.
-  const double behind = 0x1.0p-20 * std::max(this->extent, maxAbs(start.point)) / (length(direction) + 1e-30);
-  const double far = segment ? 1 + 2 * behind : std::numeric_limits<double>::infinity();
-  ray = makeRay(start.point - behind * direction, direction, static_cast<float>(far));
-  return {{}, this, start, direction, segment};
+  const double beyond = 0x1.0p-20 * std::max(this->extent, maxAbs(start.point)) / (length(direction) + 1e-30);
+  const double far = end ? 1 + 2 * beyond : std::numeric_limits<double>::infinity();
+  ray = makeRay(start.point - beyond * direction, direction, static_cast<float>(far));
+  return {{}, this, start, direction, end};
 }
+
+namespace
+{
+// Where the anchored end of a ray lies for a triangle of normal n, not of unit length.
+const Vec3& endFor(const RayAnchor& anchor, const Vec3& n)
+{
+  constexpr double parallel = 0.998;  // squared cosine: within 2.6 degrees
+  const Vec3 lift = anchor.lifted - anchor.point;
+  const double along = dot(n, lift);
+  return along * along > parallel * dot(n, n) * dot(lift, lift) ? anchor.lifted : anchor.point;
+}
+}  // namespace
 
 void RayScene::Embree::keepAhead(const RTCFilterFunctionNArguments* filter)
 {
@@ -147,12 +159,8 @@ void RayScene::Embree::keepAhead(const RTCFilterFunctionNArguments* filter)
   const Triangle& t = query.embree->triangles[RTCHitN_primID(filter->hit, filter->N, 0)];
   const Vec3 a = query.embree->points[t[0]];
   const Vec3 n = cross(query.embree->points[t[1]] - a, query.embree->points[t[2]] - a);
-  constexpr double parallel = 0.998;  // squared cosine: within 2.6 degrees
-  const Vec3 lift = query.start.lifted - query.start.point;
-  const double along = dot(n, lift);
-  const Vec3& from = along * along > parallel * dot(n, n) * dot(lift, lift) ? query.start.lifted : query.start.point;
-  const double side = dot(n, from - a);
-  const double towards = query.segment ? dot(n, query.start.point + query.direction - a) : dot(n, query.direction);
+  const double side = dot(n, endFor(query.start, n) - a);
+  const double towards = dot(n, query.end ? endFor(*query.end, n) - a : query.direction);
   if (!(side * towards < 0))
     filter->valid[0] = 0;
 }
@@ -204,23 +212,23 @@ RayScene::RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>&
 
 RayScene::~RayScene() = default;
 
-Hit RayScene::intersect(const RayStart& start, const Vec3& direction) const
+Hit RayScene::intersect(const RayAnchor& start, const Vec3& direction) const
 {
   countRays(1);
   RTCRayHit hit{};
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  Embree::Query query = this->Impl->ask(start, direction, false, hit.ray);
+  Embree::Query query = this->Impl->ask(start, direction, nullptr, hit.ray);
   traceFirst(this->Impl->scene, query.context, Embree::keepAhead, hit);
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID)
     return {};
   return {true, hit.hit.primID, hit.hit.u, hit.hit.v};
 }
 
-bool RayScene::occluded(const RayStart& start, const Vec3& b) const
+bool RayScene::occluded(const RayAnchor& a, const RayAnchor& b) const
 {
   countRays(1);
   RTCRay ray;
-  Embree::Query query = this->Impl->ask(start, b - start.point, true, ray);
+  Embree::Query query = this->Impl->ask(a, b.point - a.point, &b, ray);
   traceAny(this->Impl->scene, query.context, Embree::keepAhead, ray);
   return ray.tfar < 0;
 }

@@ -22,17 +22,18 @@ struct Hit
   double u = 0, v = 0;  ///< barycentric weights of the triangle's second and third corner
 };
 
-/// Where a ray starts: at a point in free space, or at a point of a surface, whose own triangle it does not meet.
-/// Which triangles lie ahead is decided in double precision, so that a ray leaves a gap of any width; but triangles
-/// nearly parallel to the surface are passed by as from `lifted`, for models hold layers that nearly coincide.
-struct RayStart
+/// Where a ray starts or ends: at a point in free space, or at a point of a surface, whose own triangle it does not
+/// meet. Which triangles lie between the ends is decided in double precision, so that a ray leaves a gap of any width;
+/// but to triangles nearly parallel to the surface it reaches to `lifted` only: models hold layers that nearly
+/// coincide.
+struct RayAnchor
 {
   Vec3 point;
   Vec3 lifted;  ///< moved off the surface along its normal; equal to `point` in free space
 
-  RayStart() = default;
-  RayStart(const Vec3& p) : point(p), lifted(p) {}  // implicit: a point in free space is a start
-  RayStart(const Vec3& p, const Vec3& off) : point(p), lifted(off) {}
+  RayAnchor() = default;
+  RayAnchor(const Vec3& p) : point(p), lifted(p) {}  // implicit: most ends are points in free space
+  RayAnchor(const Vec3& p, const Vec3& off) : point(p), lifted(off) {}
 };
 
 /// Sixteen segments in structure-of-arrays form: from o to o + d.
@@ -50,10 +51,10 @@ public:
   ~RayScene();
 
   /// First hit of a ray along `direction`.
-  Hit intersect(const RayStart& start, const Vec3& direction) const;
+  Hit intersect(const RayAnchor& start, const Vec3& direction) const;
 
-  /// True when anything lies between the start and b, which the caller has moved off its surface.
-  bool occluded(const RayStart& start, const Vec3& b) const;
+  /// True when anything lies between a and b.
+  bool occluded(const RayAnchor& a, const RayAnchor& b) const;
 
   /// Bit i of the result is set when segment i (of the first `count`) is occluded. All in single precision: the caller
   /// has moved both ends off their surfaces.

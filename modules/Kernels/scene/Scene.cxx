@@ -94,7 +94,7 @@ Scene::Scene(SceneDescription description)
   }
 }
 
-SurfacePoint Scene::trace(const RayStart& start, const Vec3& direction) const
+SurfacePoint Scene::trace(const RayAnchor& start, const Vec3& direction) const
 {
   const Hit hit = this->Rays.intersect(start, direction);
   SurfacePoint point;

@@ -60,21 +60,21 @@ public:
   /// First surface point along a ray from p, which lies on a surface of unit normal n (the side the ray leaves on).
   SurfacePoint trace(const Vec3& p, const Vec3& n, const Vec3& direction) const
   {
-    return this->trace(this->start(p, n), direction);
+    return this->trace(this->anchor(p, n), direction);
   }
   /// The same from a start, or from a point in free space.
-  SurfacePoint trace(const RayStart& start, const Vec3& direction) const;
+  SurfacePoint trace(const RayAnchor& start, const Vec3& direction) const;
 
-  /// Where rays leave a surface point p of unit normal n.
-  RayStart start(const Vec3& p, const Vec3& n) const { return {p, this->offset(p, n)}; }
+  /// Where rays leave or reach a surface point p of unit normal n.
+  RayAnchor anchor(const Vec3& p, const Vec3& n) const { return {p, this->offset(p, n)}; }
 
   /// Moves p off its surface: by a few units in the last place of single precision at p.
   Vec3 offset(const Vec3& p, const Vec3& n) const { return p + (offsetScale * (maxAbs(p) + 0.05 * this->Size)) * n; }
 
   /// Where shadow rays to a point luminaire end: a lamp mounted flush with a ceiling shines into the room.
-  Vec3 shadowTarget(const Luminaire& luminaire) const
+  RayAnchor shadowTarget(const Luminaire& luminaire) const
   {
-    return luminaire.isOneSided() ? this->offset(luminaire.position, luminaire.axis) : luminaire.position;
+    return luminaire.isOneSided() ? this->anchor(luminaire.position, luminaire.axis) : luminaire.position;
   }
 
   /// A sensor at p with unit normal n that lies exactly on an edge, in a corner or at the foot of an object belongs to
