@@ -78,19 +78,43 @@ void DirectLight::look(const Sensor& sensor, View& view) const
   }
 }
 
+bool DirectLight::meets(const Area& area, const Vec3& origin, const Vec3& direction, double& distance)
+{
+  const double facing = -dot(direction, area.normal);
+  const bool behind = area.opening && !area.opening->isOneSided() && facing < 0;
+  if (!(facing > 0 || behind))
+    return false;
+  distance = dot(origin - area.corner[0], area.normal) / facing;
+  if (!(distance > 0))
+    return false;
+  const Vec3 p = origin + distance * direction;
+  // The corners turn about the normal or against it: to the left of all sides, or to the right of all.
+  int left = 0;
+  for (int i = 0; i < area.count; ++i)
+    left += dot(cross(area.corner[(i + 1) % area.count] - area.corner[i], p - area.corner[i]), area.normal) >= 0;
+  return left == 0 || left == area.count;
+}
+
+double DirectLight::solidAngle(const Area& area, const Vec3& from)
+{
+  double sum = 0;
+  for (int i = 2; i < area.count; ++i)  // a rectangle is two triangles
+    sum += SphericalTriangle(from, area.corner[0], area.corner[i - 1], area.corner[i]).solidAngle();
+  return sum;
+}
+
 bool DirectLight::sampleArea(const Area& area, const Sensor& sensor, double u1, double u2, double u3,
                              AreaSample& sample) const
 {
-  // A rectangle is two triangles.
   const Vec3& r = sensor.position;
   SphericalTriangle part(r, area.corner[0], area.corner[1], area.corner[2]);
-  double solidAngle = part.solidAngle();
+  sample.solidAngle = part.solidAngle();
   if (area.count == 4)
   {
     const SphericalTriangle other(r, area.corner[0], area.corner[2], area.corner[3]);
-    const double first = solidAngle;
-    solidAngle += other.solidAngle();
-    if (u1 * solidAngle >= first)
+    const double first = sample.solidAngle;
+    sample.solidAngle += other.solidAngle();
+    if (u1 * sample.solidAngle >= first)
       part = other;
   }
   if (!(part.solidAngle() > 0))
@@ -102,7 +126,6 @@ bool DirectLight::sampleArea(const Area& area, const Sensor& sensor, double u1, 
     return false;
   const double distance = dot(area.corner[0] - r, area.normal) / -facing;
   sample.target = this->Lit.anchor(r + distance * sample.direction, behind ? -area.normal : area.normal);
-  sample.cosineOverDensity = cosine * solidAngle;
   return true;
 }
 
@@ -141,7 +164,7 @@ double DirectLight::sampleAreas(const Sensor& sensor, const View& view, SampleSt
     return 0;
   const Bands exitance = this->exitanceTowards(area, sample.direction);
   for (int b = 0; b < this->Lit.bands(); ++b)
-    w[b] = exitance[b] / pi * sample.cosineOverDensity / share;
+    w[b] = exitance[b] / pi * dot(sample.direction, sensor.normal) * sample.solidAngle / share;
   const bool visible = !this->Shadows || !this->Lit.rays().occluded(sensor.anchor, sample.target);
   return visible - (area.opening ? 0 : view.visibleShare);
 }
@@ -160,6 +183,8 @@ Bands DirectLight::sample(const Sensor& sensor, SampleStream& random, View& scra
   Bands result{};
   if (!(sum > 0))
     return result;
+  if (sensor.brdf)
+    this->sampleLobe(sensor, random, cumulative, result);
 
   double share;
   const std::size_t k = draw(cumulative, u0, share);
@@ -176,35 +201,56 @@ Bands DirectLight::sample(const Sensor& sensor, SampleStream& random, View& scra
     const Area& area = this->Areas[k - luminaires.size()];
     if (!this->sampleArea(area, sensor, u1, u2, u3, sample))
       return result;
+    // The lobe's sample shares with this one: balance heuristic.
+    const double density = share / sample.solidAngle + (sensor.brdf ? gatherDensity(sensor, sample.direction) : 0);
     const Bands exitance = this->exitanceTowards(area, sample.direction);
     for (int b = 0; b < this->Lit.bands(); ++b)
-      arriving[b] = exitance[b] / pi * sample.cosineOverDensity / share;
+      arriving[b] = exitance[b] / pi * dot(sample.direction, sensor.normal) / density;
   }
   if (this->Shadows && this->Lit.rays().occluded(sensor.anchor, sample.target))
     return result;
   const Bands weight = response(sensor, sample.direction, this->Lit.bands());
   for (int b = 0; b < this->Lit.bands(); ++b)
-    result[b] = weight[b] * arriving[b];
+    result[b] += weight[b] * arriving[b];
   return result;
 }
+
+void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const std::vector<double>& cumulative,
+                             Bands& sum) const
+{
+  const double u0 = random.next(), u1 = random.next(), u2 = random.next();
+  const BrdfSample ray = sensor.brdf->sample(sensor.normal, sensor.outgoing, uniformBands(1), u0, u1, u2);
+  if (!ray.alive || ray.mirror)
+    return;
+  const Bands weight = response(sensor, ray.direction, this->Lit.bands());
+  const std::size_t points = cumulative.size() - this->Areas.size();
+  for (std::size_t i = 0; i < this->Areas.size(); ++i)
+  {
+    const Area& area = this->Areas[i];
+    const double before = points + i ? cumulative[points + i - 1] : 0;
+    const double share = (cumulative[points + i] - before) / cumulative.back();
+    double distance;
+    if (!(share > 0) || !meets(area, sensor.position, ray.direction, distance))
+      continue;
+    const Vec3 side = dot(ray.direction, area.normal) < 0 ? area.normal : -area.normal;
+    if (this->Shadows &&
+        this->Lit.rays().occluded(sensor.anchor, this->Lit.anchor(sensor.position + distance * ray.direction, side)))
+      continue;
+    const double density = share / solidAngle(area, sensor.position) + ray.density;
+    const Bands exitance = this->exitanceTowards(area, ray.direction);
+    for (int b = 0; b < this->Lit.bands(); ++b)
+      sum[b] += weight[b] * exitance[b] / pi * dot(ray.direction, sensor.normal) / density;
+  }
+}
+
 void DirectLight::addSeen(const Vec3& origin, const Vec3& direction, const SurfacePoint& y, const Bands& throughput,
                           Bands& sum) const
 {
   const double end = y.valid ? length(y.position - origin) : std::numeric_limits<double>::infinity();
   for (const Area& area : this->Areas)
   {
-    const double facing = -dot(direction, area.normal);
-    const bool behind = area.opening && !area.opening->isOneSided() && facing < 0;
-    if (area.count != 4 || !(facing > 0 || behind))
-      continue;
-    const double distance = dot(origin - area.corner[0], area.normal) / facing;
-    if (!(distance > 0 && distance < end))
-      continue;
-    const Vec3 p = origin + distance * direction - area.corner[0];
-    const Vec3 u = area.corner[1] - area.corner[0], v = area.corner[3] - area.corner[0];
-    const Vec3 n = cross(u, v);
-    const double s = dot(cross(p, v), n) / dot(n, n), t = dot(cross(u, p), n) / dot(n, n);
-    if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1))
+    double distance;
+    if (area.count != 4 || !meets(area, origin, direction, distance) || !(distance < end))
       continue;
     const Bands exitance = this->exitanceTowards(area, direction);
     for (int b = 0; b < this->Lit.bands(); ++b)

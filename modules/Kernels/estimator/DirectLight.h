@@ -40,8 +40,9 @@ public:
   double sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const;
 
   /// One sample of all direct light at the sensor, weighted by its response, with a single shadow ray: an emitter is
-  /// drawn in proportion to what it would send to a Lambertian sensor, were nothing in between. Unbiased; for the
-  /// vertices that gather rays find and for glossy sensors. `scratch` is overwritten.
+  /// drawn in proportion to what it would send to a Lambertian sensor, were nothing in between. At a glossy sensor a
+  /// direction drawn from its lobe shares with the areas (balance heuristic), for lobes that are narrower than a lamp.
+  /// Unbiased; for the vertices that gather rays find and for glossy sensors. `scratch` is overwritten.
   Bands sample(const Sensor& sensor, SampleStream& random, View& scratch) const;
 
   /// Adds throughput times the exitance of every luminous rectangle that a ray from a mirror passes through before it
@@ -70,9 +71,12 @@ private:
   {
     Vec3 direction;
     RayAnchor target;
-    double cosineOverDensity;  // cos(theta) at the sensor times the solid angle, sr
+    double solidAngle;  // sr, of the emitter
   };
   Bands exitanceTowards(const Area& area, const Vec3& fromSensor) const;  // pi times the luminance, lm/m2
+  static double solidAngle(const Area& area, const Vec3& from);           // sr
+  static bool meets(const Area& area, const Vec3& origin, const Vec3& direction, double& distance);  // on a lit side
+  void sampleLobe(const Sensor& sensor, SampleStream& random, const std::vector<double>& cumulative, Bands& sum) const;
   bool sampleArea(const Area& area, const Sensor& sensor, double u1, double u2, double u3, AreaSample& sample) const;
 
   const Scene& Lit;

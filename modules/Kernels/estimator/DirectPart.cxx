@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/DirectPart.h"
 
+#include <iomanip>
+#include <sstream>
+
 #include "estimator/VertexRound.h"
 
 namespace kalos
@@ -159,6 +162,15 @@ AuditLine DirectPart::auditOpenings() const
           "a receiver closer than 5 times its larger side sees the extent of an opening"};
 }
 
+AuditLine DirectPart::auditMirrors() const
+{
+  std::ostringstream left;
+  left << "what is left out of the way from a point to a receiver takes mirrors that reflect at most "
+       << std::setprecision(2) << 100 * this->Mirrored.leftOut() << " % together";
+  return {"point luminaires in mirrors", std::to_string(this->Mirrored.size()) + " images, exact",
+          this->Mirrored.leftOut() > 0 ? left.str() : "every chain of mirrors is followed"};
+}
+
 std::vector<AuditLine> DirectPart::audit() const
 {
   std::vector<AuditLine> lines;
@@ -199,8 +211,7 @@ std::vector<AuditLine> DirectPart::audit() const
     lines.push_back({"luminous rectangles", std::to_string(luminaires.size() - points - openings) + ", polygon formula",
                      "only what hides it is sampled"});
   if (this->Mirrored.any())
-    lines.push_back({"point luminaires in mirrors", "one mirror, exact",
-                     "light that takes two or more from a point straight to a receiver is left out"});
+    lines.push_back(this->auditMirrors());
   if (this->Found.emittingTriangles)
     lines.push_back(
         {"emitting triangles",

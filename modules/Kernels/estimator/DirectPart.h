@@ -41,6 +41,7 @@ public:
 private:
   void measureVisibility(std::size_t receiver);
   AuditLine auditOpenings() const;
+  AuditLine auditMirrors() const;
 
   const Scene& Lit;
   Walks Drawn;

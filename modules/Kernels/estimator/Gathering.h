@@ -37,7 +37,7 @@ public:
   Bands gather(const Sensor& sensor, const GatherPool& pool, const Start& start, SampleStream& random,
                Bands& emission) const;
 
-  /// All light that reaches a sensor from luminaires, straight or by one mirror, with one shadow ray for the former.
+  /// All light that reaches a sensor from luminaires, straight or by mirrors, with one shadow ray for the former.
   Bands luminaireLight(const Sensor& sensor, SampleStream& random) const;
 
 private:

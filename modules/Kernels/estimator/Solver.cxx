@@ -124,9 +124,9 @@ void conclude(const Tally& tally, long long done, const Estimator& estimator, bo
   result.gatherRays = estimator.gatherRays();
   result.trusted.clear();
   for (std::size_t r = 0; r < tally.receivers(); ++r)
-    result.trusted.push_back(
-        tailIsLight(result.largestScoreShare[r], {result.illuminance[r], result.standardError[r]}) &&
-        estimator.trusts(r, result.trajectories));
+    result.trusted.push_back(tailIsLight(result.largestScoreShare[r], tally.largestStandsOut(r),
+                                         {result.illuminance[r], result.standardError[r]}) &&
+                             estimator.trusts(r, result.trajectories));
 }
 
 double secondsSince(std::chrono::steady_clock::time_point start)

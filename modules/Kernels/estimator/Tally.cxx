@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/Tally.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace kalos
@@ -65,6 +66,14 @@ double Tally::largestShare(std::size_t receiver, long long n) const
   const double largest = *std::max_element(first, first + this->Replicates);
   const double sum = this->summary(receiver, n).mean * static_cast<double>(n) * this->Replicates;
   return sum > 0 ? std::min(1.0, largest / sum) : 0;
+}
+
+bool Tally::largestStandsOut(std::size_t receiver) const
+{
+  const auto first = this->Largest.begin() + static_cast<std::ptrdiff_t>(receiver * this->Replicates);
+  std::vector<double> largest(first, first + this->Replicates);
+  std::sort(largest.begin(), largest.end());
+  return this->Replicates < 16 || largest.back() > 3 * largest[largest.size() / 2];
 }
 
 void Tally::write(long long n, Result& result) const

@@ -54,6 +54,10 @@ public:
   /// Largest single score over the sum of all, in [0, 1], with what does not fluctuate counted in the sum.
   double largestShare(std::size_t receiver, long long n) const;
 
+  /// Whether the largest score of all exceeds three times the median of the replicates' largest; always where there are
+  /// too few replicates to tell.
+  bool largestStandsOut(std::size_t receiver) const;
+
   /// Fills the arrays of `result`, but for Result::trusted.
   void write(long long n, Result& result) const;
 

@@ -7,9 +7,9 @@
 
 namespace kalos
 {
-bool tailIsLight(double largestScoreShare, const MeanAndError& estimate)
+bool tailIsLight(double largestScoreShare, bool standsOut, const MeanAndError& estimate)
 {
-  return largestScoreShare * std::abs(estimate.mean) <= std::sqrt(0.5) * estimate.standardError ||
+  return !standsOut || largestScoreShare * std::abs(estimate.mean) <= std::sqrt(0.5) * estimate.standardError ||
          largestScoreShare == 0;
 }
 

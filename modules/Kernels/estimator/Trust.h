@@ -2,9 +2,12 @@
 // When a standard error can be believed.
 //
 // Rule. The interval of a receiver is trusted unless
-//  (1) one single score makes up more than half of the variance: x_max / N > SE / sqrt(2). With a finite
-//  variance the
-//      ratio falls as 1/sqrt(N); with the kernel's tail, whose variance is unbounded, it does not; or
+//  (1) one single score makes up more than half of the variance, x_max / N > SE / sqrt(2), and it stands out: it
+//  exceeds
+//      three times the median of the replicates' largest scores. With a finite variance the first ratio falls as
+//      1/sqrt(N); with the kernel's tail, whose variance is unbounded, it does not. Stratified walks make SE so small
+//      that a bounded score can pass for half of it, but then every replicate has one like it; of a tail that falls as
+//      1/x (kernels at an edge) the largest of 32 stays within three medians once in 1600 times; or
 //  (2) the method scores the plain kernel and the vertices are too sparse to see the receiver's surroundings: of 64
 //      cosine-weighted probe rays from the receiver the third largest kernel G (so 4 % of the irradiating hemisphere)
 //      has fewer than 10 vertices expected in its area 1/G. Then the spikes that carry that light are too rare to have
@@ -17,8 +20,8 @@
 
 namespace kalos
 {
-/// Rule (1).
-bool tailIsLight(double largestScoreShare, const MeanAndError& estimate);
+/// Rule (1); `standsOut` is Tally::largestStandsOut().
+bool tailIsLight(double largestScoreShare, bool standsOut, const MeanAndError& estimate);
 
 /// The third largest kernel (1/m2) of 64 probe rays; 0 when fewer rays than that meet a surface.
 double nearKernel(const Scene& scene, const Sensor& sensor);
