@@ -34,6 +34,11 @@ def test_closed_forms(said):
     assert len(said) == 6 and all(line.endswith("reached") for line in said[1:])
 
 
+def test_cost(said):
+    figures.cost(DATA, 1, said.append, side=4, trajectories=640, times=1)
+    assert "times the processor time of local" in said[0]
+
+
 def test_cube(said):
     assert figures.cube(DATA, 1, said.append, precision=5e-3)
     assert len(said) == 11
