@@ -1,4 +1,5 @@
-# kalos_add_pytest(file...): one CTest test per Python file of the current folder, on the package in the build tree.
+# kalos_add_pytest(file...): one CTest test per Python file of the current folder, on the package in the build tree, behind the
+# command KALOS_PYTEST_FRONT if that is set.
 find_package(Python3 COMPONENTS Interpreter REQUIRED)
 
 function (kalos_add_pytest)
@@ -6,7 +7,7 @@ function (kalos_add_pytest)
   foreach (file IN LISTS ARGN)
     string(REGEX REPLACE "^test_(.*)\\.py$" "${folder}.\\1" name "${file}")
     add_test(NAME "${name}"
-      COMMAND "${Python3_EXECUTABLE}" -m pytest -q -p no:cacheprovider "${CMAKE_CURRENT_SOURCE_DIR}/${file}")
+      COMMAND ${KALOS_PYTEST_FRONT} "${Python3_EXECUTABLE}" -m pytest -q -p no:cacheprovider "${CMAKE_CURRENT_SOURCE_DIR}/${file}")
     set_tests_properties("${name}" PROPERTIES
       TIMEOUT 300
       ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1;KALOS=${CMAKE_BINARY_DIR}/bin/kalos"

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A solve by all ranks of pvbatch; the first writes the values it fetched: pvbatch_room.py Kalos.so SOURCE_DIRECTORY FILE."""
+"""A solve by all ranks of pvbatch, or of a pvserver at localhost:PORT; the first or the client writes the values it fetched.
+
+    pvbatch_room.py Kalos.so SOURCE_DIRECTORY FILE [PORT]
+"""
 import sys
 
 import numpy as np
@@ -8,7 +11,10 @@ from paraview import servermanager
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-plugin, source, path = sys.argv[1:4]
+plugin, source, path, *port = sys.argv[1:]
+if port:
+    pv.Connect("localhost", int(port[0]))
+    pv.LoadPlugin(plugin, remote=True, ns=pv.__dict__)
 pv.LoadPlugin(plugin, remote=False, ns=pv.__dict__)
 scene = pv.KalosSceneReader(FileName=f"{source}/data/cornell/cornell-empty.json")
 plane = pv.KalosCalculationPlane(Originm=[0, 0, 0.75], Um=[5, 0, 0], Vm=[0, 5, 0], Resolution=[6, 5])

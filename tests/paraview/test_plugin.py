@@ -76,6 +76,11 @@ class Plugin(unittest.TestCase):
                 text = file.read()
             self.assertIn("WriterFactory" if group == "writers" else 'ShowInMenu category="Kalos"', text, stem)
 
+    def test_panels_have_a_widget_for_every_property(self):
+        for stem in STEMS:
+            with open(os.path.join(XMLS, stem + ".xml"), encoding="utf-8") as file:
+                self.assertNotIn("IdTypeVectorProperty", file.read(), f"{stem}: ParaView's panel leaves such a property out")
+
     def test_scene_lux_colours_and_exr(self):
         scene = pv.OpenDataFile(os.path.join(SOURCE, "data", "cornell", "cornell.json"))
         self.assertEqual(scene.GetXMLName(), "KalosSceneReader")
