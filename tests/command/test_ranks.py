@@ -19,21 +19,28 @@ def mpiexec(count, *arguments, **options):
                           **options)
 
 
-def solved(count, scene, out):
-    run = mpiexec(count, os.environ["KALOS"], "solve", scene, "--out", out, "--trajectories", 1600, "--threads", 1)
+def solved(count, scene, out, threads=1):
+    run = mpiexec(count, os.environ["KALOS"], "solve", scene, "--out", out, "--trajectories", 1600, "--threads", threads)
     assert run.returncode == 0, run.stderr
     return run
 
 
-def test_ranks_do_not_change_a_bit(scene, tmp_path):
+def assert_same_values(one, folder):
+    """Tables and images of a folder are those of another, byte by byte."""
+    assert [file.name for file in sorted(folder.iterdir())] == [file.name for file in sorted(one.iterdir())]
+    for file in one.iterdir():
+        if file.suffix in (".csv", ".exr"):
+            assert (folder / file.name).read_bytes() == file.read_bytes(), (folder.name, file.name)
+
+
+def test_ranks_and_threads_do_not_change_a_bit(scene, tmp_path):
     path = scene.save()
     runs = {count: solved(count, path, tmp_path / str(count)) for count in (1, 2, 4)}
-    one = sorted((tmp_path / "1").iterdir())
+    for threads in (2, 4):
+        solved(1, path, tmp_path / "threads", threads)
+        assert_same_values(tmp_path / "1", tmp_path / "threads")
     for count in (2, 4):
-        assert [file.name for file in sorted((tmp_path / str(count)).iterdir())] == [file.name for file in one]
-        for file in one:
-            if file.suffix in (".csv", ".exr"):
-                assert (tmp_path / str(count) / file.name).read_bytes() == file.read_bytes(), (count, file.name)
+        assert_same_values(tmp_path / "1", tmp_path / str(count))
         assert runs[count].stdout.count("audit\n") == 1  # the words of the first rank only
         audit = json.loads((tmp_path / str(count) / "summary.json").read_text())["audit"]
         assert [line["choice"] for line in audit if line["subject"] == "ranks"] == [f"{count} processes"]
