@@ -2,6 +2,7 @@
 #include "vtkKalosEstimatorAlgorithm.h"
 
 #include "CheckpointFile.h"
+#include "SceneConversion.h"
 #include "estimator/Settings.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -11,10 +12,17 @@
 #include "vtkKalosArrayNames.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
 vtkCxxSetObjectMacro(vtkKalosEstimatorAlgorithm, Controller, vtkMultiProcessController);
+
+struct vtkKalosEstimatorAlgorithm::KeptScene
+{
+  vtkMTimeType Surfaces, Luminaires;  // no two objects ever have the same time
+  std::shared_ptr<const kalos::Scene> Scene;
+};
 
 vtkKalosEstimatorAlgorithm::vtkKalosEstimatorAlgorithm()
 {
@@ -49,6 +57,19 @@ std::unique_ptr<kalos::CheckpointStore> vtkKalosEstimatorAlgorithm::MakeCheckpoi
     return nullptr;
   return std::make_unique<::CheckpointFile>(this->CheckpointFile, this->CheckpointInterval,
                                             [this](const std::string& why) { vtkWarningMacro(<< why); });
+}
+
+std::shared_ptr<const kalos::Scene> vtkKalosEstimatorAlgorithm::MakeScene(vtkPolyData* surfaces,
+                                                                          vtkPolyData* luminaires)
+{
+  const vtkMTimeType surfacesTime = surfaces->GetMTime(), luminairesTime = luminaires ? luminaires->GetMTime() : 0;
+  if (this->Kept && this->Kept->Surfaces == surfacesTime && this->Kept->Luminaires == luminairesTime)
+    return this->Kept->Scene;
+  this->Kept = nullptr;
+  auto scene = std::make_shared<const kalos::Scene>(MakeSceneDescription(surfaces, luminaires));
+  if (this->KeepScene)
+    this->Kept = std::make_unique<KeptScene>(KeptScene{surfacesTime, luminairesTime, scene});
+  return scene;
 }
 
 kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings(const kalos::Ranks& ranks,
@@ -118,5 +139,7 @@ void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Epsilon: " << this->Epsilon << "\n";
   os << indent << "CheckpointFile: " << (this->CheckpointFile ? this->CheckpointFile : "(none)") << "\n";
   os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
+  os << indent << "KeepScene: " << (this->KeepScene ? "on" : "off") << "\n";
+  os << indent << "IntermediateResults: " << (this->IntermediateResults ? "on" : "off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }

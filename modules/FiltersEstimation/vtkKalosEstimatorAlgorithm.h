@@ -16,19 +16,21 @@
 #ifndef vtkKalosEstimatorAlgorithm_h
 #define vtkKalosEstimatorAlgorithm_h
 
-#include <memory>  // for MakeCheckpoint
+#include <memory>  // for MakeCheckpoint and Kept
 
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkKalosFiltersEstimationModule.h"  // for export macro
 
 class vtkFieldData;
 class vtkMultiProcessController;
+class vtkPolyData;
 
 namespace kalos
 {
 class CheckpointStore;
 class Ranks;
 struct Result;
+class Scene;
 struct Settings;
 }  // namespace kalos
 
@@ -132,10 +134,32 @@ public:
 
   ///@{
   /**
+   * Show the result while it is refined: after each round of trajectories vtkCommand::UpdateDataEvent is invoked with
+   * the result so far, a data object of the output's type that the observer may keep. Rounds then begin with one
+   * trajectory a replicate and grow by half of what is done. Default off.
+   */
+  vtkSetMacro(IntermediateResults, bool);
+  vtkGetMacro(IntermediateResults, bool);
+  vtkBooleanMacro(IntermediateResults, bool);
+  ///@}
+
+  ///@{
+  /**
    * Time between checkpoints, s, >= 0; they are taken between rounds of trajectories. Default 10.
    */
   vtkSetMacro(CheckpointInterval, double);
   vtkGetMacro(CheckpointInterval, double);
+  ///@}
+
+  ///@{
+  /**
+   * Keep the scene as it is prepared for rays, for further updates with the same surfaces and luminaires (none of which
+   * was modified): other receivers, methods and cameras then begin at once. Takes memory between updates, some 400
+   * bytes a triangle. Default off.
+   */
+  vtkSetMacro(KeepScene, bool);
+  vtkGetMacro(KeepScene, bool);
+  vtkBooleanMacro(KeepScene, bool);
   ///@}
 
   ///@{
@@ -161,6 +185,9 @@ protected:
   /// The settings, for a solve by `ranks` that is kept in `checkpoint`.
   kalos::Settings MakeSettings(const kalos::Ranks& ranks, kalos::CheckpointStore* checkpoint) const;
 
+  /// The kernels' scene of these inputs. Throws std::invalid_argument as MakeSceneDescription() does.
+  std::shared_ptr<const kalos::Scene> MakeScene(vtkPolyData* surfaces, vtkPolyData* luminaires);
+
   /// Reports progress to VTK and returns false when the user aborts.
   bool ReportProgress(double fraction);
 
@@ -177,9 +204,14 @@ protected:
   double Epsilon = 0;
   char* CheckpointFile = nullptr;
   double CheckpointInterval = 10;
+  bool IntermediateResults = false;
+  bool KeepScene = false;
   vtkMultiProcessController* Controller = nullptr;
 
 private:
+  struct KeptScene;
+  std::unique_ptr<KeptScene> Kept;
+
   vtkKalosEstimatorAlgorithm(const vtkKalosEstimatorAlgorithm&) = delete;
   void operator=(const vtkKalosEstimatorAlgorithm&) = delete;
 };

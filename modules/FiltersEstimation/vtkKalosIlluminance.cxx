@@ -6,7 +6,6 @@
 #include "CheckpointFile.h"
 #include "ControllerRanks.h"
 #include "ReceiverConversion.h"
-#include "SceneConversion.h"
 #include "estimator/Solver.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
@@ -97,7 +96,7 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
   try
   {
     vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
-    const kalos::Scene scene(MakeSceneDescription(vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(inputs[2])));
+    const auto scene = this->MakeScene(vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(inputs[2]));
     kalos::Receivers receivers;
     for (vtkDataSet* leaf : LeavesOf(input))
       AppendReceivers(leaf, receivers);
@@ -112,7 +111,7 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
     kalos::Settings settings = this->MakeSettings(ranks, checkpoint.get());
     settings.keepReplicates = this->KeepReplicates;
     const kalos::Result result = kalos::solve(
-        scene, receivers, settings, [this](double f) { return this->ReportProgress(f); }, show);
+        *scene, receivers, settings, [this](double f) { return this->ReportProgress(f); }, show);
     if (result.trajectories == 0)  // stopped before the first round was complete
       return 1;
     using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -136,6 +135,5 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
 void vtkKalosIlluminance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "IntermediateResults: " << (this->IntermediateResults ? "on" : "off") << "\n";
   os << indent << "KeepReplicates: " << (this->KeepReplicates ? "on" : "off") << "\n";
 }

@@ -40,17 +40,6 @@ public:
 
   ///@{
   /**
-   * Show the result while it is refined: after each round of trajectories vtkCommand::UpdateDataEvent is invoked with
-   * the result so far, a data object of the output's type that the observer may keep. Rounds then begin with one
-   * trajectory a replicate and grow by half of what is done. Default off.
-   */
-  vtkSetMacro(IntermediateResults, bool);
-  vtkGetMacro(IntermediateResults, bool);
-  vtkBooleanMacro(IntermediateResults, bool);
-  ///@}
-
-  ///@{
-  /**
    * Put out the estimates of the single replicates too, as IlluminanceReplicates: a mean or a ratio over receivers,
    * which share trajectories, gets its standard error from them. Default off.
    */
@@ -67,7 +56,6 @@ protected:
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  bool IntermediateResults = false;
   bool KeepReplicates = false;
 
 private:

@@ -5,8 +5,8 @@
 
 #include "CheckpointFile.h"
 #include "ControllerRanks.h"
-#include "SceneConversion.h"
 #include "estimator/LuminanceImage.h"
+#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -72,6 +72,17 @@ void AddPixels(vtkImageData* image, const char* name, const std::vector<Value>& 
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   image->GetPointData()->AddArray(array);
 }
+
+void FillImage(vtkImageData* image, const int resolution[2], const kalos::LuminanceResult& result)
+{
+  image->SetDimensions(resolution[0], resolution[1], 1);
+  AddPixels<vtkDoubleArray>(image, vtkKalosArrayNames::Luminance, result.luminance);
+  AddPixels<vtkDoubleArray>(image, vtkKalosArrayNames::LuminanceStandardError, result.standardError);
+  AddPixels<vtkUnsignedCharArray>(image, vtkKalosArrayNames::IntervalTrusted, result.trusted);
+  if (result.bands > 1)
+    AddPixels<vtkDoubleArray>(image, vtkKalosArrayNames::LuminanceBands, result.luminanceBands, result.bands);
+  image->GetPointData()->SetActiveScalars(vtkKalosArrayNames::Luminance);
+}
 }  // namespace
 
 int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -79,23 +90,25 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
   vtkImageData* output = vtkImageData::GetData(outputs);
   try
   {
-    const kalos::Scene scene(MakeSceneDescription(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1])));
+    const auto scene = this->MakeScene(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]));
     const kalos::Camera camera{ToVec3(this->Position), ToVec3(this->Target), ToVec3(this->Up),
                                this->FieldOfView,      this->Resolution[0],  this->Resolution[1]};
     const ControllerRanks ranks(this->Controller);
     const auto checkpoint = this->MakeCheckpoint();
-    const kalos::LuminanceResult result =
-        kalos::solveLuminance(scene, camera, this->MakeSettings(ranks, checkpoint.get()),
-                              [this](double f) { return this->ReportProgress(f); });
+    kalos::ImageSnapshot show;
+    if (this->IntermediateResults)
+      show = [&](const kalos::LuminanceResult& soFar) {
+        vtkNew<vtkImageData> image;
+        FillImage(image, this->Resolution, soFar);
+        this->Describe(soFar.estimate, image->GetFieldData());
+        this->InvokeEvent(vtkCommand::UpdateDataEvent, image.Get());
+      };
+    const kalos::LuminanceResult result = kalos::solveLuminance(
+        *scene, camera, this->MakeSettings(ranks, checkpoint.get()),
+        [this](double f) { return this->ReportProgress(f); }, show);
     if (result.estimate.trajectories == 0)  // stopped before the first round was complete
       return 1;
-    output->SetDimensions(camera.width, camera.height, 1);
-    AddPixels<vtkDoubleArray>(output, vtkKalosArrayNames::Luminance, result.luminance);
-    AddPixels<vtkDoubleArray>(output, vtkKalosArrayNames::LuminanceStandardError, result.standardError);
-    AddPixels<vtkUnsignedCharArray>(output, vtkKalosArrayNames::IntervalTrusted, result.trusted);
-    if (result.bands > 1)
-      AddPixels<vtkDoubleArray>(output, vtkKalosArrayNames::LuminanceBands, result.luminanceBands, result.bands);
-    output->GetPointData()->SetActiveScalars(vtkKalosArrayNames::Luminance);
+    FillImage(output, this->Resolution, result);
     this->Describe(result.estimate, output->GetFieldData());
     using Pipeline = vtkStreamingDemandDrivenPipeline;
     vtkInformation* asked = outputs->GetInformationObject(0);

@@ -171,6 +171,43 @@ def test_image_has_the_arrays_and_the_size():
     assert len(trusted) == len(luminance) and set(trusted) <= {0, 1} and trusted.mean() > 0.5
 
 
+def test_image_shows_itself_while_it_is_refined():
+    shown = []
+
+    def keep(caller, event, result):
+        shown.append(vtk_to_numpy(result.GetPointData().GetArray("Luminance")).copy())
+
+    keep.CallDataType = VTK_OBJECT
+    image = vtkKalosLuminanceImage()
+    image.SetInputData(0, surfaces())
+    image.SetInputData(1, lamp())
+    image.SetPosition(2, 0.5, 1.5)
+    image.SetTarget(2, 3, 1.5)
+    image.SetResolution(6, 4)
+    image.SetTrajectories(320)
+    image.IntermediateResultsOn()
+    image.AddObserver("UpdateDataEvent", keep)
+    assert update_error(image) is None
+    result = vtk_to_numpy(image.GetOutputDataObject(0).GetPointData().GetArray("Luminance"))
+    assert len(shown) > 3 and (shown[-1] == result).all() and not (shown[0] == result).any()
+
+
+def test_a_kept_scene_serves_other_receivers_and_notices_changes():
+    room = surfaces()
+    filter = estimator(room=room, Trajectories=320, KeepScene=True)
+    illuminance = []
+    for change in (lambda: None, lambda: filter.SetSeed(2), lambda: filter.SetSeed(1),
+                   lambda: (room.GetCellData().GetArray("Reflectance").Fill(0.1),
+                            room.GetCellData().GetArray("Reflectance").Modified())):
+        change()
+        assert update_error(filter) is None
+        data = filter.GetOutputDataObject(0).GetPointData()
+        illuminance.append(vtk_to_numpy(data.GetArray("Illuminance")).copy())
+    first, other_seed, again, darker = illuminance
+    assert (first == again).all() and (first != other_seed).any()
+    assert (darker < first).all()
+
+
 @pytest.mark.parametrize("change, message", [
     (dict(receivers=probe(None)), "receivers: have no normals, expected point normals or cell normals"),
     (dict(receivers=probe((0, 0, 0))), "receivers: normal 0 has no direction, expected a unit vector"),

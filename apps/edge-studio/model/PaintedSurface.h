@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces cut into cells that are receivers and get painted: small along singular edges, larger elsewhere.
+// Surfaces as receivers that get painted.
 #ifndef studio_PaintedSurface_h
 #define studio_PaintedSurface_h
 
+#include "vtkIdList.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 namespace studio
 {
-/// About `cells` triangles with cell normals and the material arrays of `surfaces`. Meshes of more triangles than that,
-/// and meshes that can not be remeshed, keep their own.
-vtkSmartPointer<vtkPolyData> paintedSurface(vtkPolyData* surfaces, int cells = 4000);
+struct PaintedSurface
+{
+  vtkSmartPointer<vtkPolyData> receivers;  ///< triangles with cell normals and the material arrays of the surfaces
+  vtkSmartPointer<vtkPolyData> shape;      ///< triangles to draw; the receivers themselves where they are not too many
+  vtkSmartPointer<vtkIdList> standIns;     ///< for each triangle of the shape its receiver; null: the same
+};
+
+/// About `cells` triangles, small along singular edges, larger elsewhere. A mesh that has more than that keeps its own,
+/// the large ones cut; where these are more than four times as many, one (the largest) stands for those of its material
+/// that are near it and face the same of the six directions of the axes.
+PaintedSurface paintedSurface(vtkPolyData* surfaces, int cells = 4000);
 }  // namespace studio
 
 #endif

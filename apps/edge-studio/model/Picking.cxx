@@ -16,7 +16,8 @@ Picking::Picking(const ScenePtr& scene, const QStringList& sets)
 {
   for (const NamedSet& set : dataSets(scene->receivers(sets)))
   {
-    auto* data = vtkPolyData::SafeDownCast(set.data);
+    vtkPolyData* data =
+        set.name == SceneDocument::paintedName() ? scene->painted().shape.Get() : vtkPolyData::SafeDownCast(set.data);
     if (!data || data->GetNumberOfCells() == 0 || !data->GetCellData()->GetNormals())
       continue;
     auto tree = vtkSmartPointer<vtkOBBTree>::New();

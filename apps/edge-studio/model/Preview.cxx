@@ -2,10 +2,10 @@
 #include "Preview.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "DataSets.h"
+#include "Triangles.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -44,30 +44,6 @@ vtkSmartPointer<vtkPolyData> everyNth(vtkPolyData* data, vtkIdType step)
   return some;
 }
 
-void centre(vtkPolyData* data, vtkIdType cell, double at[3])
-{
-  vtkNew<vtkIdList> corners;
-  data->GetCellPoints(cell, corners);
-  std::fill(at, at + 3, 0.0);
-  for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
-  {
-    const double* corner = data->GetPoint(corners->GetId(k));
-    for (int i = 0; i < 3; ++i)
-      at[i] += corner[i] / static_cast<double>(corners->GetNumberOfIds());
-  }
-}
-
-/// Which of the six directions of the axes a normal is nearest to.
-int facing(vtkDataArray* normals, vtkIdType cell)
-{
-  double n[3];
-  normals->GetTuple(cell, n);
-  int axis = 0;
-  for (int i = 1; i < 3; ++i)
-    axis = std::abs(n[i]) > std::abs(n[axis]) ? i : axis;
-  return 2 * axis + (n[axis] < 0 ? 1 : 0);
-}
-
 /// The cells of a set that face one way, by their centres.
 class Facing
 {
@@ -81,7 +57,7 @@ public:
       if (facing(normals, i) == way)
       {
         double at[3];
-        centre(data, i, at);
+        cellCentre(data, i, at);
         centres->InsertNextPoint(at);
         this->Cells.push_back(i);
       }
@@ -103,11 +79,11 @@ private:
   vtkNew<vtkStaticPointLocator> Locator;
 };
 
-vtkSmartPointer<vtkPolyData> spreadSet(vtkPolyData* solved, vtkPolyData* receivers)
+/// For each receiver the cell of `solved` that stands for it.
+vtkSmartPointer<vtkIdList> standIns(vtkPolyData* solved, vtkPolyData* receivers)
 {
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->CopyStructure(receivers);
-  result->GetCellData()->CopyAllocate(solved->GetCellData(), receivers->GetNumberOfCells());
+  auto cells = vtkSmartPointer<vtkIdList>::New();
+  cells->SetNumberOfIds(receivers->GetNumberOfCells());
   vtkDataArray* normals = receivers->GetCellData()->GetNormals();
   for (int way = 0; way < 6; ++way)
   {
@@ -116,9 +92,30 @@ vtkSmartPointer<vtkPolyData> spreadSet(vtkPolyData* solved, vtkPolyData* receive
       if (facing(normals, i) == way)
       {
         double at[3];
-        centre(receivers, i, at);
-        result->GetCellData()->CopyData(solved->GetCellData(), some.nearest(at), i);
+        cellCentre(receivers, i, at);
+        cells->SetId(i, some.nearest(at));
       }
+  }
+  return cells;
+}
+
+/// The receivers with what `solved` has in addition, taken from the cells that stand for them.
+vtkSmartPointer<vtkPolyData> spreadSet(vtkPolyData* solved, vtkPolyData* receivers, vtkIdList* cells)
+{
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(receivers);
+  vtkCellData *from = solved->GetCellData(), *to = result->GetCellData();
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = from->GetArray(i);
+    if (!array || to->HasArray(array->GetName()))
+      continue;
+    auto all = vtk::TakeSmartPointer(array->NewInstance());
+    all->SetName(array->GetName());
+    all->SetNumberOfComponents(array->GetNumberOfComponents());
+    all->SetNumberOfTuples(cells->GetNumberOfIds());
+    array->GetTuples(cells, all);
+    to->AddArray(all);
   }
   return result;
 }
@@ -150,13 +147,24 @@ vtkSmartPointer<vtkDataObject> someReceivers(vtkDataObject* receivers, int wante
   return transform(receivers, [&](const NamedSet& set) { return everyNth(vtkPolyData::SafeDownCast(set.data), step); });
 }
 
-vtkSmartPointer<vtkDataObject> spread(vtkDataObject* solved, vtkDataObject* receivers)
+Spread::Spread(vtkDataObject* some, vtkDataObject* receivers)
 {
   const QVector<NamedSet> all = dataSets(receivers);
-  auto blocks = transform(solved, [&](const NamedSet& set) {
+  for (const NamedSet& set : dataSets(some))
+  {
     const auto whole =
         std::find_if(all.begin(), all.end(), [&](const NamedSet& other) { return other.name == set.name; });
-    return spreadSet(vtkPolyData::SafeDownCast(set.data), vtkPolyData::SafeDownCast(whole->data));
+    auto* data = vtkPolyData::SafeDownCast(whole->data);
+    this->Sets.push_back({data, standIns(vtkPolyData::SafeDownCast(set.data), data)});
+  }
+}
+
+vtkSmartPointer<vtkDataObject> Spread::over(vtkDataObject* solved) const
+{
+  auto next = this->Sets.begin();
+  auto blocks = transform(solved, [&](const NamedSet& set) {
+    const Set& whole = *next++;
+    return spreadSet(vtkPolyData::SafeDownCast(set.data), whole.receivers, whole.cells);
   });
   blocks->GetFieldData()->ShallowCopy(solved->GetFieldData());
   return blocks;

@@ -7,9 +7,7 @@
 #endif
 
 #include "ErrorCollector.h"
-#include "Preview.h"
 #include "vtkCallbackCommand.h"
-#include "vtkKalosIlluminance.h"
 #include "vtkNew.h"
 
 namespace studio
@@ -24,32 +22,31 @@ void yieldToTheWindow()
 #endif
 }
 
-template <class Data>
-vtkSmartPointer<Data> copyOf(Data* data)
+/// Hands the data of an event to a handler, as long as this exists.
+class Observation
 {
-  auto copy = vtk::TakeSmartPointer(data->NewInstance());
-  copy->DeepCopy(data);
-  return copy;
-}
+public:
+  template <class Handler>
+  Observation(vtkObject* object, unsigned long event, Handler& handler) : Object(object)
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(&handler);
+    command->SetCallback(
+        [](vtkObject*, unsigned long, void* client, void* data) { (*static_cast<Handler*>(client))(data); });
+    this->Tag = object->AddObserver(event, command);
+  }
+  ~Observation() { this->Object->RemoveObserver(this->Tag); }
+  Observation(const Observation&) = delete;
+  Observation& operator=(const Observation&) = delete;
 
-template <class Handler>
-vtkSmartPointer<vtkCallbackCommand> observe(vtkObject* object, unsigned long event, Handler& handler)
-{
-  auto command = vtkSmartPointer<vtkCallbackCommand>::New();
-  command->SetClientData(&handler);
-  command->SetCallback(
-      [](vtkObject*, unsigned long, void* client, void* data) { (*static_cast<Handler*>(client))(data); });
-  object->AddObserver(event, command);
-  return command;
-}
+private:
+  vtkObject* Object;
+  unsigned long Tag;
+};
 }  // namespace
 
-Run::Run(const ScenePtr& scene, vtkDataObject* receivers, const MethodSettings& settings, QObject* parent)
-    : QObject(parent),
-      Wanted(settings),
-      Receivers(copyOf(receivers)),
-      Surfaces(copyOf(scene->surfaces())),
-      Luminaires(copyOf(scene->luminaires()))
+Run::Run(RunPlan plan, const MethodSettings& settings, QObject* parent)
+    : QObject(parent), Wanted(settings), Plan(std::move(plan))
 {
   this->Clock.start();
   this->Worker = std::thread([this] { this->work(); });
@@ -150,23 +147,22 @@ void Run::publish(vtkDataObject* data, Stage stage)
 void Run::work()
 {
   yieldToTheWindow();
-  // First colours at once; where there are very many receivers, better ones before the first full round too.
-  for (const auto& [receivers, trajectories] : {std::pair{1200, 32}, std::pair{15000, 256}})
-    if (const auto some = someReceivers(this->Receivers, receivers))
-    {
-      MethodSettings first = this->Wanted;
-      first.goal = Goal::Trajectories;
-      first.trajectories = trajectories;
-      const QString problem = this->solve(
-          some, first, [&](vtkDataObject* data) { this->publish(spread(data, this->Receivers), Stage::Preview); });
-      if (!problem.isEmpty())
-        break;  // the whole run will meet it again
-    }
+  std::vector<RunStep> steps = this->Plan.steps();
   vtkSmartPointer<vtkDataObject> latest;
-  const QString problem = this->solve(this->Receivers, this->Wanted, [&](vtkDataObject* data) {
-    latest = data;
-    this->publish(data, Stage::Round);
-  });
+  QString problem;
+  for (const RunStep& step : steps)
+  {
+    const bool last = &step == &steps.back();
+    latest = nullptr;
+    problem = this->solve(step, [&](vtkDataObject* data) {
+      latest = step.dress ? step.dress(data) : vtkSmartPointer<vtkDataObject>(data);
+      this->publish(latest, last ? Stage::Round : Stage::Preview);
+    });
+    if (!problem.isEmpty() || this->Stop)
+      break;
+  }
+  steps.clear();
+  this->Plan = {};  // the prepared scene is large
   const bool stopped = this->Stop;
   if (problem.isEmpty() && !stopped && latest)
     this->publish(latest, Stage::Last);
@@ -181,19 +177,17 @@ void Run::work()
       Qt::QueuedConnection);
 }
 
-QString Run::solve(vtkDataObject* receivers, const MethodSettings& settings,
-                   const std::function<void(vtkDataObject*)>& round)
+QString Run::solve(const RunStep& step, const std::function<void(vtkDataObject*)>& round)
 {
-  vtkNew<vtkKalosIlluminance> illuminance;
-  const auto errors = ErrorCollector::watch(illuminance);
-  settings.apply(illuminance);
-  illuminance->SetInputDataObject(0, receivers);
-  illuminance->SetInputData(1, this->Surfaces);
-  illuminance->SetInputData(2, this->Luminaires);
-  illuminance->IntermediateResultsOn();
+  vtkKalosEstimatorAlgorithm* estimator = this->Plan.estimator;
+  const auto errors = ErrorCollector::watch(estimator);
+  step.settings.apply(estimator);
+  step.prepare();
+  estimator->IntermediateResultsOn();
+  estimator->KeepSceneOn();
 
   auto onProgress = [&](void*) {
-    const double done = illuminance->GetProgress();
+    const double done = estimator->GetProgress();
     QMetaObject::invokeMethod(
         this,
         [this, done] {
@@ -202,13 +196,13 @@ QString Run::solve(vtkDataObject* receivers, const MethodSettings& settings,
         },
         Qt::QueuedConnection);
     if (!this->restIfAsked())
-      illuminance->SetAbortExecute(1);
+      estimator->SetAbortExecute(1);
   };
   auto onRound = [&](void* data) { round(static_cast<vtkDataObject*>(data)); };
-  const auto progress = observe(illuminance, vtkCommand::ProgressEvent, onProgress);
-  const auto rounds = observe(illuminance, vtkCommand::UpdateDataEvent, onRound);
+  const Observation progress(estimator, vtkCommand::ProgressEvent, onProgress),
+      rounds(estimator, vtkCommand::UpdateDataEvent, onRound);
   if (!this->Stop)
-    illuminance->Update();
+    estimator->Update();
   return errors->message();
 }
 }  // namespace studio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One run of vtkKalosIlluminance in a thread of its own, which refines its result and can rest, go on and be stopped.
+// One run of a plan in a thread of its own, which refines its result and can rest, go on and be stopped.
 #ifndef studio_Run_h
 #define studio_Run_h
 
@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "Result.h"
-#include "SceneDocument.h"
+#include "RunPlan.h"
 
 namespace studio
 {
@@ -30,8 +30,12 @@ public:
     Failed      ///< problem() says why
   };
 
-  /// Copies what it needs of the scene and the receivers, and starts.
-  Run(const ScenePtr& scene, vtkDataObject* receivers, const MethodSettings& settings, QObject* parent = nullptr);
+  /// Starts at once. `settings` are those of the plan's last step.
+  Run(RunPlan plan, const MethodSettings& settings, QObject* parent = nullptr);
+  Run(const ScenePtr& scene, vtkDataObject* receivers, const MethodSettings& settings)
+      : Run(planReceivers(*scene, receivers, settings), settings)
+  {
+  }
   ~Run() override;  ///< cancels, and waits for the thread
 
   const MethodSettings& settings() const { return this->Wanted; }
@@ -61,15 +65,13 @@ private:
     Last
   };
   void work();
-  QString solve(vtkDataObject* receivers, const MethodSettings& settings,
-                const std::function<void(vtkDataObject*)>& round);
+  QString solve(const RunStep& step, const std::function<void(vtkDataObject*)>& round);
   bool restIfAsked();
   void publish(vtkDataObject* data, Stage stage);
   void setState(State state);
 
   MethodSettings Wanted;
-  vtkSmartPointer<vtkDataObject> Receivers;
-  vtkSmartPointer<vtkPolyData> Surfaces, Luminaires;
+  RunPlan Plan;
 
   // Of the thread that owns this object.
   State Now = State::Running;

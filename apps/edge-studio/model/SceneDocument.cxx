@@ -7,7 +7,6 @@
 
 #include "BareMesh.h"
 #include "ErrorCollector.h"
-#include "PaintedSurface.h"
 #include "Problem.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -146,7 +145,7 @@ double SceneDocument::size() const
 QStringList SceneDocument::sets() const
 {
   QStringList names;
-  if (this->Painted->GetNumberOfCells() > 0)
+  if (this->Painted.receivers->GetNumberOfCells() > 0)
     names << paintedName();
   for (unsigned int i = 0; i < this->FileReceivers->GetNumberOfBlocks(); ++i)
     names << blockName(this->FileReceivers, i);
@@ -172,8 +171,8 @@ vtkSmartPointer<vtkMultiBlockDataSet> SceneDocument::receivers(const QStringList
     blocks->SetBlock(at, data);
     blocks->GetMetaData(at)->Set(vtkCompositeDataSet::NAME(), name.toUtf8().constData());
   };
-  if (this->Painted->GetNumberOfCells() > 0)
-    add(paintedName(), this->Painted);
+  if (this->Painted.receivers->GetNumberOfCells() > 0)
+    add(paintedName(), this->Painted.receivers);
   for (unsigned int i = 0; i < this->FileReceivers->GetNumberOfBlocks(); ++i)
     add(blockName(this->FileReceivers, i), this->FileReceivers->GetBlock(i));
   return blocks;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "PaintedSurface.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -42,6 +43,8 @@ public:
   /// Names of the receiver sets: paintedName() first, then those of the file.
   QStringList sets() const;
   static QString paintedName() { return QStringLiteral("surfaces"); }
+  /// What the first set paints. In large scenes it has more triangles than the set has receivers.
+  const PaintedSurface& painted() const { return this->Painted; }
   /// Sets to compute when a user has not chosen: all but the file's own cuts of surfaces, which the first set covers.
   QStringList usualSets() const;
   /// These sets as blocks, for vtkKalosIlluminance.
@@ -56,7 +59,8 @@ private:
 
   QString Path;
   bool BareMesh = false;
-  vtkSmartPointer<vtkPolyData> Surfaces, Luminaires, Edges, Painted;
+  vtkSmartPointer<vtkPolyData> Surfaces, Luminaires, Edges;
+  PaintedSurface Painted;
   vtkSmartPointer<vtkMultiBlockDataSet> FileReceivers;
   QVector<CameraPreset> Cameras;
   std::optional<double> Furnace;

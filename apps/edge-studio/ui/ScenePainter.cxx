@@ -10,6 +10,7 @@
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
 #include "vtkContourFilter.h"
+#include "vtkDataArray.h"
 #include "vtkKalosSingularEdges.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -100,13 +101,31 @@ void ScenePainter::paint(const Picture& picture, const Display& display)
   {
     if (display.hidden.contains(set.name) || !arrayOf(set.data, picture.array.toUtf8().constData()))
       continue;
-    surfaces = surfaces || set.name == SceneDocument::paintedName();
-    this->addReceivers(set.data, picture, display.smooth);
+    const bool painted = set.name == SceneDocument::paintedName();
+    surfaces = surfaces || painted;
+    this->addReceivers(painted ? this->onShape(set.data, picture).Get() : set.data, picture, display.smooth);
   }
   this->Shape->SetVisibility(!surfaces && !display.hidden.contains(SceneDocument::paintedName()));
   this->Edges->SetVisibility(display.edges);
   this->Contacts->SetVisibility(display.edges);
   this->Luminaires->SetVisibility(display.luminaires);
+}
+
+vtkSmartPointer<vtkDataSet> ScenePainter::onShape(vtkDataSet* receivers, const Picture& picture) const
+{
+  const PaintedSurface& painted = this->Scene->painted();
+  if (!painted.standIns)
+    return receivers;
+  auto shape = vtkSmartPointer<vtkPolyData>::New();
+  shape->CopyStructure(painted.shape);
+  vtkDataArray* array = receivers->GetCellData()->GetArray(picture.array.toUtf8().constData());
+  auto all = vtk::TakeSmartPointer(array->NewInstance());
+  all->SetName(array->GetName());
+  all->SetNumberOfComponents(array->GetNumberOfComponents());
+  all->SetNumberOfTuples(shape->GetNumberOfCells());
+  array->GetTuples(painted.standIns, all);
+  shape->GetCellData()->AddArray(all);
+  return shape;
 }
 
 void ScenePainter::addReceivers(vtkDataSet* data, const Picture& picture, bool smooth)

@@ -42,6 +42,7 @@ public:
 private:
   void clearReceivers();
   void addReceivers(vtkDataSet* data, const Picture& picture, bool smooth);
+  vtkSmartPointer<vtkDataSet> onShape(vtkDataSet* receivers, const Picture& picture) const;
   void addIsolines(vtkDataSet* points, const Picture& picture);
   vtkSmartPointer<vtkActor> addLines(vtkPolyData* lines, double width);
 

@@ -55,20 +55,29 @@ private:
 class LinesOfSight
 {
 public:
-  LinesOfSight(const Scene& scene, const Camera& camera, LuminanceResult& image)
-      : Lit(scene), Image(image), Luminaires(scene, false, false)
+  LinesOfSight(const Scene& scene, const Camera& camera) : Lit(scene), Luminaires(scene, false, false)
   {
+    const std::size_t pixels = static_cast<std::size_t>(camera.width) * camera.height;
+    this->Emitted.bands = scene.bands();
+    this->Emitted.luminance.assign(pixels, 0);
+    this->Emitted.standardError.assign(pixels, 0);
+    this->Emitted.luminanceBands.assign(pixels * scene.bands(), 0);
+    this->Emitted.trusted.assign(pixels, 1);
     const Lens lens(camera);
     const Vec3 eye = camera.position - scene.origin();
-    for (std::size_t i = 0; i < image.luminance.size(); ++i)
+    for (std::size_t i = 0; i < pixels; ++i)
       this->follow(i, eye, lens.direction(static_cast<int>(i % camera.width), static_cast<int>(i / camera.width)));
   }
 
   const Receivers& receivers() const { return this->Seen; }
 
-  // Reflects the estimates at the receivers into their pixels.
-  void reflect(const Result& estimate)
+  // What is emitted into the pixels, and the estimates at the receivers reflected into them.
+  LuminanceResult reflect(const Result& estimate) const
   {
+    LuminanceResult image = this->Emitted;
+    image.estimate = estimate;
+    if (estimate.trajectories == 0)
+      return image;
     const int bands = this->Lit.bands();
     for (std::size_t k = 0; k < this->Pixel.size(); ++k)
     {
@@ -76,16 +85,17 @@ public:
       for (int b = 0; b < bands; ++b)
         luminance[b] = this->Weight[k][b] / pi * estimate.illuminanceBands[k * bands + b];
       for (int b = 0; b < bands; ++b)
-        this->Image.luminanceBands[this->Pixel[k] * bands + b] += luminance[b];
+        image.luminanceBands[this->Pixel[k] * bands + b] += luminance[b];
       if (!estimate.trusted[k])
-        this->Image.trusted[this->Pixel[k]] = 0;
+        image.trusted[this->Pixel[k]] = 0;
       // Bands and mirror images share the trajectories: they fluctuate together.
       if (estimate.illuminance[k] > 0)
-        this->Image.standardError[this->Pixel[k]] +=
+        image.standardError[this->Pixel[k]] +=
             estimate.standardError[k] / estimate.illuminance[k] * photometric(luminance, bands);
     }
-    for (std::size_t i = 0; i < this->Image.luminance.size(); ++i)
-      this->Image.luminance[i] = photometric(&this->Image.luminanceBands[i * bands], bands);
+    for (std::size_t i = 0; i < image.luminance.size(); ++i)
+      image.luminance[i] = photometric(&image.luminanceBands[i * bands], bands);
+    return image;
   }
 
 private:
@@ -101,7 +111,7 @@ private:
       const Material& material = this->Lit.material(y.triangle);
       if (y.front)
         for (int b = 0; b < bands; ++b)
-          this->Image.luminanceBands[pixel * bands + b] += weight * material.exitance[b] / pi;
+          this->Emitted.luminanceBands[pixel * bands + b] += weight * material.exitance[b] / pi;
       const bool last = material.mirror > 0 && mirrors == mirrorsFollowed;
       this->add(pixel, y, -direction, weight, last);
       if (!(material.mirror > 0) || last)
@@ -113,7 +123,7 @@ private:
       Bands seen{};
       this->Luminaires.addSeen(from.lifted, direction, y, uniformBands(weight / pi), seen);
       for (int b = 0; b < bands; ++b)
-        this->Image.luminanceBands[pixel * bands + b] += seen[b];
+        this->Emitted.luminanceBands[pixel * bands + b] += seen[b];
     }
   }
 
@@ -137,7 +147,7 @@ private:
   }
 
   const Scene& Lit;
-  LuminanceResult& Image;
+  LuminanceResult Emitted;  // of what is seen, its bands alone
   DirectLight Luminaires;
   Receivers Seen;
   std::vector<std::size_t> Pixel;  // of each receiver
@@ -146,25 +156,17 @@ private:
 }  // namespace
 
 LuminanceResult solveLuminance(const Scene& scene, const Camera& camera, const Settings& settings,
-                               const Progress& progress)
+                               const Progress& progress, const ImageSnapshot& snapshot)
 {
   constexpr long long trajectoriesPerPixel = 1024;
   check(camera);
-  const std::size_t pixels = static_cast<std::size_t>(camera.width) * camera.height;
-  LuminanceResult image;
-  image.bands = scene.bands();
-  image.luminance.assign(pixels, 0);
-  image.standardError.assign(pixels, 0);
-  image.luminanceBands.assign(pixels * image.bands, 0);
-  image.trusted.assign(pixels, 1);
-
-  LinesOfSight lines(scene, camera, image);
+  const LinesOfSight lines(scene, camera);
   Settings effort = settings;
   if (effort.trajectories == 0 && effort.relativeError == 0 && effort.seconds == 0)
     effort.trajectories = trajectoriesPerPixel;
-  image.estimate = solve(scene, lines.receivers(), effort, progress);
-  if (image.estimate.trajectories > 0)
-    lines.reflect(image.estimate);
-  return image;
+  Snapshot show;
+  if (snapshot)
+    show = [&](const Result& soFar) { snapshot(lines.reflect(soFar)); };
+  return lines.reflect(solve(scene, lines.receivers(), effort, progress, show));
 }
 }  // namespace kalos

@@ -29,10 +29,13 @@ struct LuminanceResult
   Result estimate;                     ///< of the illuminance behind it: trajectories, times, audit, aborted
 };
 
+/// Called after each round with the image so far.
+using ImageSnapshot = std::function<void(const LuminanceResult&)>;
+
 /// Without a goal and a limit it runs 1024 trajectories per pixel. Luminaires have no body: they are seen in mirrors
 /// only. Throws std::invalid_argument for a camera without meaning and for what solve() refuses.
 LuminanceResult solveLuminance(const Scene& scene, const Camera& camera, const Settings& settings,
-                               const Progress& progress = {});
+                               const Progress& progress = {}, const ImageSnapshot& snapshot = {});
 }  // namespace kalos
 
 #endif
