@@ -4,6 +4,7 @@
 #define Helpers_h
 
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QStandardPaths>
 #include <QTest>
@@ -20,6 +21,19 @@ inline QString writeFile(const QDir& folder, const QString& name, const QByteArr
   if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
     qFatal("%s can not be written", qPrintable(path));
   return path;
+}
+
+inline double seconds(const QElapsedTimer& clock)
+{
+  return static_cast<double>(clock.elapsed()) / 1000;
+}
+
+/// Prints a figure with the bound that an idle machine of two cores keeps; tests share theirs, so that six times as
+/// much fails.
+inline void figure(const char* what, double value, const char* unit, double most)
+{
+  qInfo("figure: %s %.3g %s (at most %g)", what, value, unit, most);
+  QVERIFY2(value < 6 * most, what);
 }
 
 /// A closed room without a lamp, white furnace of 250 lx, of six quads and a coarse plane.

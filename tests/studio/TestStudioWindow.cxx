@@ -1,33 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The real window on a virtual screen: open, run, pause, cancel, bad input, drag and drop.
 #include <QAction>
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
 #include <QElapsedTimer>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QMouseEvent>
-#include <QPushButton>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QTableWidget>
-#include <QTemporaryDir>
-#include <QTimer>
 
-#include "Application.h"
 #include "Export.h"
-#include "Helpers.h"
-#include "MainWindow.h"
 #include "ProbePanel.h"
 #include "Problem.h"
 #include "RecentFiles.h"
 #include "Session.h"
 #include "SpeedPanel.h"
+#include "WindowTest.h"
 #include "vtkDataArray.h"
 #include "vtkInteractorObserver.h"
 #include "vtkKalosIlluminance.h"
@@ -36,50 +28,11 @@
 
 using namespace studio;
 
-class TestStudioWindow : public QObject
+class TestStudioWindow : public WindowTest
 {
   Q_OBJECT
 
 private:
-  QTemporaryDir Folder;
-  std::unique_ptr<MainWindow> Window;
-
-  template <class Widget>
-  Widget* find(const char* name)
-  {
-    auto* widget = this->Window->findChild<Widget*>(name);
-    if (!widget)
-      qFatal("no widget %s", name);
-    return widget;
-  }
-  QString furnace() { return writeFile(this->Folder.path(), "furnace.json", furnaceRoom()); }
-  void click(const char* name) { QTest::mouseClick(this->find<QPushButton>(name), Qt::LeftButton); }
-  void settle()
-  {
-    QTest::qWait(150);
-    QApplication::processEvents();
-  }
-  void keep(const QString& name)
-  {
-    this->settle();
-    QVERIFY(this->Window->grab().save(QStringLiteral(KALOS_SCREENSHOTS "/%1.png").arg(name)));
-  }
-  /// Answers the next dialog and returns what it said.
-  std::shared_ptr<QString> answer(QMessageBox::StandardButton button)
-  {
-    auto said = std::make_shared<QString>();
-    auto* timer = new QTimer(this->Window.get());
-    connect(timer, &QTimer::timeout, this, [=] {
-      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      if (!box)
-        return;
-      *said = box->text() + QLatin1Char('\n') + box->informativeText();
-      timer->deleteLater();
-      QTest::mouseClick(box->button(button), Qt::LeftButton);
-    });
-    timer->start(20);
-    return said;
-  }
   static int coloured(const QImage& image)
   {
     int count = 0;
@@ -90,13 +43,7 @@ private:
   }
 
 private slots:
-  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
-  void init()
-  {
-    this->Window = std::make_unique<MainWindow>();
-    this->Window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(this->Window.get()));
-  }
+  void init() { this->open(); }
   void cleanup() { this->Window.reset(); }
 
   void showsTheDemoScene()
@@ -107,7 +54,7 @@ private slots:
     this->init();
     QVERIFY(this->Window->openFile(demoScene()));
     this->Window->view()->renderWindow()->Render();
-    qInfo("first picture %lld ms after the window was asked for", clock.elapsed());
+    figure("first picture of the demo scene", seconds(clock), "s", 3);
     QVERIFY(this->Window->windowTitle().startsWith("cornell.json"));
     this->keep("01-open");
   }
@@ -122,7 +69,7 @@ private slots:
     clock.start();
     this->click("run");
     QTRY_VERIFY_WITH_TIMEOUT(this->Window->bench()->shown(), 20000);
-    qInfo("first colours after %lld ms", clock.elapsed());
+    figure("first colours of the demo scene", seconds(clock), "s", 1);
     QVERIFY(this->find<QPushButton>("cancel")->isEnabled());
     this->settle();
     auto* style = this->Window->view()->interactor()->GetInteractorStyle();
@@ -136,7 +83,7 @@ private slots:
       view->lookAlong({0.35, 0.8, -0.45 - 0.01 * i}, {0, 0, 1});
       view->renderWindow()->Render();
     }
-    qInfo("%.1f frames a second while computing", 1000.0 * turns / static_cast<double>(frames.elapsed()));
+    figure("frame while computing", seconds(frames) / turns, "s", 0.05);
     style->InvokeEvent(vtkCommand::EndInteractionEvent);
     view->look(this->Window->bench()->scene()->cameras().front());
     this->settle();
@@ -148,12 +95,13 @@ private slots:
     this->find<QCheckBox>("isolines")->click();
     this->find<QComboBox>("scale")->setCurrentIndex(1);
     emit this->find<QComboBox>("scale")->activated(1);
-    QVERIFY(this->Window->bench()->display().isolines && this->Window->bench()->display().logarithmic);
+    QVERIFY(this->Window->bench()->display().isolines && this->Window->bench()->display().scale == Scale::Logarithmic);
     this->keep("04-isolines");
 
     // What the README shows: every method across the edge at the foot of the back wall.
     Display display = this->Window->bench()->display();
-    display.isolines = display.logarithmic = false;
+    display.isolines = false;
+    display.scale = Scale::Linear;
     display.hidden = QStringList{"desk"};
     this->Window->bench()->setDisplay(display);
     this->settle();
@@ -168,7 +116,7 @@ private slots:
     this->keep("12-across-an-edge");
   }
 
-  // Resident memory after 10 cycles and after 40 differs by less than 5 %.
+  // Resident memory after 10 cycles and after 100 differs by less than 5 %.
   void memoryStaysFlat()
   {
     auto resident = [] {
@@ -182,7 +130,7 @@ private slots:
     Workbench* bench = this->Window->bench();
     bench->setSettings(settings);
     double early = 0;
-    for (int cycle = 0; cycle < 40; ++cycle)
+    for (int cycle = 0; cycle < 100; ++cycle)
     {
       QVERIFY(this->Window->openFile(this->furnace()));
       bench->setChosenSets({"desk"});
@@ -190,7 +138,7 @@ private slots:
       QTRY_VERIFY(!bench->isRunning() && bench->shown());
       early = cycle == 10 ? resident() : early;
     }
-    qInfo("memory after 40 cycles: %.3f of that after 10", resident() / early);
+    qInfo("figure: memory after 100 cycles is %.3f of that after 10 (at most 1.05)", resident() / early);
     QVERIFY(resident() < 1.05 * early);
   }
 
@@ -206,8 +154,11 @@ private slots:
     this->click("pause");
     const ResultPtr before = this->Window->bench()->shown();
     QTRY_VERIFY(this->Window->bench()->shown() != before);
+    QElapsedTimer clock;
+    clock.start();
     this->click("cancel");
-    QTRY_VERIFY(!this->Window->bench()->isRunning());
+    QTRY_VERIFY_WITH_TIMEOUT(!this->Window->bench()->isRunning(), 5000);
+    figure("cancel", seconds(clock), "s", 0.2);
     QTRY_VERIFY(this->find<QLabel>("times")->text().contains("cancelled"));
     QVERIFY(!this->Window->bench()->shown()->complete);
   }
@@ -356,7 +307,7 @@ private slots:
     settings.trajectories = 64;
     bench->setSettings(settings);
     Display display;
-    display.logarithmic = true;
+    display.scale = Scale::Logarithmic;
     bench->setDisplay(display);
     this->click("run");
     QTRY_VERIFY(!bench->isRunning() && bench->shown() && bench->shown()->complete);
@@ -465,11 +416,7 @@ private slots:
 
 int main(int argc, char* argv[])
 {
-  prepareApplication();
-  QApplication application(argc, argv);
-  dressApplication();
-  TestStudioWindow test;
-  return QTest::qExec(&test, argc, argv);
+  return runWindowTest<TestStudioWindow>(argc, argv);
 }
 
 #include "TestStudioWindow.moc"

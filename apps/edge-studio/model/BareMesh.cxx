@@ -11,9 +11,16 @@ namespace studio
 {
 bool isBareMesh(const QString& path)
 {
-  static const QStringList meshes{QStringLiteral("obj"), QStringLiteral("ply"), QStringLiteral("stl"),
-                                  QStringLiteral("vtp")};
-  return meshes.contains(QFileInfo(path).suffix().toLower());
+  static const QStringList meshes{QStringLiteral("ply"), QStringLiteral("stl"), QStringLiteral("vtp")};
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  if (suffix != QStringLiteral("obj"))
+    return meshes.contains(suffix);
+  QFile file(path);
+  if (file.open(QIODevice::ReadOnly))
+    while (!file.atEnd())
+      if (file.readLine().simplified().startsWith("mtllib "))
+        return false;  // it brings its materials
+  return true;
 }
 
 QByteArray furnaceAround(const QString& meshFile)

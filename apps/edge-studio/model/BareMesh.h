@@ -7,6 +7,7 @@
 
 namespace studio
 {
+/// By its name; an OBJ with a library of materials is not.
 bool isBareMesh(const QString& path);
 
 /// Text of a scene file with this mesh as a white furnace; every `usemtl` name of an OBJ gets the same material.

@@ -45,13 +45,20 @@ void addDiffuseLuminance(vtkDataSet* dataSet)
   const bool emits = exitance && exitance->GetNumberOfComponents() == bands;
   const auto luminance = newColumn(Names::Luminance, lux->GetNumberOfTuples()),
              uncertainty = newColumn(Names::LuminanceStandardError, lux->GetNumberOfTuples());
+  vtkNew<vtkDoubleArray> colour;
+  colour->SetName(Names::LuminanceBands);
+  colour->SetNumberOfComponents(bands);
+  colour->SetNumberOfTuples(lux->GetNumberOfTuples());
   for (vtkIdType i = 0; i < lux->GetNumberOfTuples(); ++i)
   {
     double reflected = 0, emitted = 0;
     for (int b = 0; b < bands; ++b)
     {
-      reflected += bandShare(b, bands) * reflectance->GetComponent(i, b) * illuminance->GetComponent(i, b);
-      emitted += emits ? bandShare(b, bands) * exitance->GetComponent(i, b) : 0;
+      const double sent = reflectance->GetComponent(i, b) * illuminance->GetComponent(i, b),
+                   own = emits ? exitance->GetComponent(i, b) : 0;
+      reflected += bandShare(b, bands) * sent;
+      emitted += bandShare(b, bands) * own;
+      colour->SetComponent(i, b, (sent + own) / M_PI);
     }
     const double value = lux->GetComponent(i, 0);
     luminance->SetValue(i, (reflected + emitted) / M_PI);
@@ -59,5 +66,7 @@ void addDiffuseLuminance(vtkDataSet* dataSet)
   }
   cells->AddArray(luminance);
   cells->AddArray(uncertainty);
+  if (bands > 1)
+    cells->AddArray(colour);
 }
 }  // namespace studio

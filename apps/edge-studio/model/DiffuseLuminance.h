@@ -7,8 +7,9 @@ class vtkDataSet;
 
 namespace studio
 {
-/// Adds the arrays Luminance and LuminanceStandardError to cells that have Reflectance and Illuminance. Gloss and
-/// mirrors depend on the eye and are not in it. The error is that of a grey of the same diffuse luminance.
+/// Adds the arrays Luminance, LuminanceStandardError and, for n > 1 bands, LuminanceBands to cells that have
+/// Reflectance and Illuminance. Gloss and mirrors depend on the eye and are not in it. The error is that of a grey of
+/// the same diffuse luminance.
 void addDiffuseLuminance(vtkDataSet* dataSet);
 }  // namespace studio
 

@@ -19,6 +19,8 @@ namespace
 const QStringList quantityKeys{QStringLiteral("illuminance"), QStringLiteral("direct-illuminance"),
                                QStringLiteral("luminance"), QStringLiteral("standard-error")};
 
+const QStringList scaleKeys{QStringLiteral("linear"), QStringLiteral("logarithmic"), QStringLiteral("photographic")};
+
 /// The round number (1, 2, 5 times a power of ten) at or above x.
 double roundUp(double x)
 {
@@ -55,7 +57,7 @@ QString unitOf(Quantity quantity)
 QJsonObject Display::toJson() const
 {
   return {{QStringLiteral("quantity"), quantityKeys[static_cast<int>(this->quantity)]},
-          {QStringLiteral("logarithmic"), this->logarithmic},
+          {QStringLiteral("scale"), scaleKeys[static_cast<int>(this->scale)]},
           {QStringLiteral("automatic_range"), this->automaticRange},
           {QStringLiteral("range"), QJsonArray{this->range[0], this->range[1]}},
           {QStringLiteral("smooth"), this->smooth},
@@ -69,10 +71,11 @@ Display Display::fromJson(const QJsonObject& object, const QString& where)
 {
   Display d;
   JsonFields fields(object, where);
-  int quantity = 0;
+  int quantity = 0, scale = 0;
   fields.choice(QStringLiteral("quantity"), quantity, quantityKeys);
   d.quantity = static_cast<Quantity>(quantity);
-  fields.flag(QStringLiteral("logarithmic"), d.logarithmic);
+  fields.choice(QStringLiteral("scale"), scale, scaleKeys);
+  d.scale = static_cast<Scale>(scale);
   fields.flag(QStringLiteral("automatic_range"), d.automaticRange);
   fields.numbers(QStringLiteral("range"), d.range.data(), 2);
   fields.flag(QStringLiteral("smooth"), d.smooth);
@@ -82,7 +85,7 @@ Display Display::fromJson(const QJsonObject& object, const QString& where)
   for (const QJsonValue& name : fields.array(QStringLiteral("hidden")))
     d.hidden << name.toString();
   fields.finish();
-  if (!d.automaticRange && (!(d.range[0] < d.range[1]) || (d.logarithmic && !(d.range[0] > 0))))
+  if (!d.automaticRange && (!(d.range[0] < d.range[1]) || (d.scale == Scale::Logarithmic && !(d.range[0] > 0))))
     throw Problem(QStringLiteral("%1: is empty or not above 0 on a logarithmic scale, expected two rising numbers")
                       .arg(fields.at(QStringLiteral("range"))));
   return d;
@@ -100,12 +103,13 @@ std::array<double, 2> rangeOf(const QVector<ResultPtr>& results, const Display& 
         for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
           if (const double value = array->GetComponent(i, 0); value > 0 && std::isfinite(value))
             values.push_back(value);
+  const bool logarithmic = display.scale == Scale::Logarithmic;
   if (values.empty())
-    return {display.logarithmic ? 1.0 : 0.0, 1000.0};
+    return {logarithmic ? 1.0 : 0.0, 1000.0};
   const auto high = values.begin() + static_cast<std::ptrdiff_t>(0.995 * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), high, values.end());
   const double top = roundUp(*high);
-  return {display.logarithmic ? 1e-3 * top : 0.0, top};
+  return {logarithmic ? 1e-3 * top : 0.0, top};
 }
 
 QVector<double> roundValues(const std::array<double, 2>& range, bool logarithmic, int count)

@@ -20,13 +20,21 @@ enum class Quantity
   StandardError
 };
 
+/// From values to colours.
+enum class Scale
+{
+  Linear,
+  Logarithmic,
+  Photographic  ///< tone-mapped, see ToneMapping.h
+};
+
 const char* arrayName(Quantity quantity);
 QString unitOf(Quantity quantity);
 
 struct Display
 {
   Quantity quantity = Quantity::Illuminance;
-  bool logarithmic = false;
+  Scale scale = Scale::Linear;
   bool automaticRange = true;
   std::array<double, 2> range{0, 1000};  ///< in the quantity's unit; read where automaticRange is off
   bool smooth = true;                    ///< interpolate between receivers of one plane
@@ -42,8 +50,8 @@ struct Display
   bool operator!=(const Display& other) const { return !(*this == other); }
 };
 
-/// From 0 (logarithmic: three decades below) to a round number above all but the highest half per cent of the values of
-/// these results: a few spikes must not take the colours from everything else.
+/// From 0 (logarithmic scale: three decades below) to a round number above all but the highest half per cent of the
+/// values of these results: a few spikes must not take the colours from everything else.
 std::array<double, 2> rangeOf(const QVector<ResultPtr>& results, const Display& display);
 
 /// Round values inside a range for ticks and isolines: about `count`, powers of ten and their double and fivefold on a

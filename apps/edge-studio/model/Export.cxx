@@ -11,6 +11,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkKalosArrayNames.h"
+#include "vtkKalosEXRWriter.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -74,5 +75,17 @@ QStringList exportResult(const Result& result, const QString& folder)
     paths << stem + QStringLiteral(".csv") << stem + QStringLiteral(".vtp");
   }
   return paths;
+}
+
+void exportImage(const Result& image, const QString& path)
+{
+  vtkNew<vtkKalosEXRWriter> writer;
+  const auto errors = ErrorCollector::watch(writer);
+  writer->SetInputDataObject(image.data);
+  writer->SetFileName(path.toUtf8().constData());
+  if (!writer->Write() || !errors->message().isEmpty())
+    throw Problem(errors->message().isEmpty()
+                      ? QStringLiteral("%1: file: can not be written; expected a place that can be written").arg(path)
+                      : errors->message());
 }
 }  // namespace studio

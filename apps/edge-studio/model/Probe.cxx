@@ -13,7 +13,7 @@ namespace studio
 {
 namespace
 {
-constexpr qint64 batchTrajectories = 32;
+constexpr qint64 batchTrajectories = 32;  // one in each replicate
 }
 
 Estimate estimateAt(const Result& result, vtkIdType receiver)
@@ -39,7 +39,7 @@ void Probe::start(const ScenePtr& scene, const Pick& pick, const MethodSettings&
   this->Truth = scene->furnaceIlluminance();
   this->Wanted = settings;
   this->Steps.clear();
-  this->Batches.clear();
+  this->Contributions.clear();
   const auto receiver = pointReceivers(QVector<Point>(1, pick.position), pick.normal);
   QVector<RunQueue::Job> jobs;
   jobs << RunQueue::Job{receiver, settings};
@@ -61,7 +61,7 @@ void Probe::forget()
   this->Where.reset();
   this->Edge.reset();
   this->Steps.clear();
-  this->Batches.clear();
+  this->Contributions.clear();
 }
 
 void Probe::take(int job)
@@ -70,9 +70,12 @@ void Probe::take(int job)
   const Estimate now = estimateAt(*result, 0);
   if (job > 0)
   {
-    if (result->complete)
-      this->Batches << now.value;
-    if (this->Batches.size() % 16 != 0)
+    if (!result->complete)
+      return;
+    vtkDataArray* single = arrayOf(dataSets(result->data).front().data, vtkKalosArrayNames::IlluminanceReplicates);
+    for (int i = 0; single && i < single->GetNumberOfComponents(); ++i)
+      this->Contributions << single->GetComponent(0, i);
+    if (job % 16 != 0)
       return;
   }
   else if (this->Steps.empty() || this->Steps.back().trajectories != result->trajectories)
@@ -120,12 +123,14 @@ Chart Probe::convergence() const
 Chart Probe::histogram() const
 {
   Chart chart;
-  chart.title = tr("Batches of %1 trajectories").arg(batchTrajectories);
-  chart.xLabel = tr("illuminance, lx");
-  chart.yLabel = tr("batches");
-  chart.logX = true;
+  chart.title = tr("Single trajectories");
+  chart.xLabel = tr("illuminance that one gives, lx");
+  chart.yLabel = tr("trajectories");
+  chart.logX = chart.logY = true;
+  chart.empty = tr("and here stands what single trajectories contribute");
   QVector<double> values;
-  std::copy_if(this->Batches.begin(), this->Batches.end(), std::back_inserter(values), [](double v) { return v > 0; });
+  std::copy_if(this->Contributions.begin(), this->Contributions.end(), std::back_inserter(values),
+               [](double v) { return v > 0; });
   if (values.size() < 8)
     return chart;
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());
@@ -136,16 +141,19 @@ Chart Probe::histogram() const
     ++counts[std::min(bins - 1, static_cast<int>(bins * (std::log10(value) - low) / (high - low)))];
   Series bars;
   bars.name = QString::fromLatin1(methodOf(this->Wanted.method).key);
+  if (const int dark = static_cast<int>(this->Contributions.size() - values.size()))
+    bars.name += tr(", %1 more without light").arg(dark);
   bars.colour = methodColour(this->Wanted.method);
   bars.style = Series::Style::Bars;
   for (int i = 0; i <= bins; ++i)
     bars.points << QPointF(std::pow(10.0, low + (high - low) * i / bins), i < bins ? counts[i] : 0);
   const double tallest = *std::max_element(counts.begin(), counts.end());
-  const double sum = std::accumulate(values.begin(), values.end(), 0.0), mean = sum / values.size();
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0),
+               mean = sum / static_cast<double>(this->Contributions.size());
   const QString share = QString::number(100 * *largest / sum, 'g', 2);
-  chart.series << bars << straight(tr("mean"), 0x202020, true, {mean, 0}, {mean, tallest})
-               << straight(tr("largest, %1 % of the sum").arg(share), 0xd1495b, false, {*largest, 0},
-                           {*largest, 0.5 * tallest});
+  chart.series << bars << straight(tr("mean"), 0x202020, true, {mean, 1}, {mean, tallest})
+               << straight(tr("largest, %1 % of the sum").arg(share), 0xd1495b, false, {*largest, 1},
+                           {*largest, std::sqrt(tallest)});
   return chart;
 }
 }  // namespace studio

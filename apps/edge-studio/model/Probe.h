@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One point under study: how its estimate converges, and what single batches of trajectories contribute.
+// One point under study: how its estimate converges, and what single trajectories contribute.
 #ifndef studio_Probe_h
 #define studio_Probe_h
 
@@ -39,7 +39,7 @@ public:
   qint64 trajectories() const;
 
   Chart convergence() const;  ///< estimate and 95 % interval against trajectories
-  Chart histogram() const;    ///< of the batches
+  Chart histogram() const;    ///< of what single trajectories of the batches contribute, the largest marked
 
 signals:
   void changed();
@@ -59,7 +59,7 @@ private:
   std::optional<double> Truth;
   MethodSettings Wanted;
   std::vector<Step> Steps;
-  QVector<double> Batches;  // lx
+  QVector<double> Contributions;  // of single trajectories, lx
 };
 }  // namespace studio
 

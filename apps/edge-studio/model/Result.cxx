@@ -28,6 +28,11 @@ Quality qualityOf(vtkDataObject* data)
     vtkDataArray *value = arrayOf(set.data, Names::Illuminance),
                  *error = arrayOf(set.data, Names::IlluminanceStandardError),
                  *trusted = arrayOf(set.data, Names::IntervalTrusted);
+    if (!value)  // an image
+    {
+      value = arrayOf(set.data, Names::Luminance);
+      error = arrayOf(set.data, Names::LuminanceStandardError);
+    }
     if (!value || !error || !trusted)
       continue;
     for (vtkIdType i = 0; i < value->GetNumberOfTuples(); ++i)

@@ -25,7 +25,7 @@ struct Quality
 struct Result
 {
   MethodSettings settings;
-  vtkSmartPointer<vtkDataObject> data;  ///< as vtkKalosIlluminance gives it, and Luminance where the material is known
+  vtkSmartPointer<vtkDataObject> data;  ///< as the estimator gives it, and Luminance where the material is known
   Quality quality;
   qint64 trajectories = 0;
   double seconds = 0, cpuSeconds = 0;  ///< of the solve, pauses and set-up apart

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "DataSets.h"
 #include "Preview.h"
+#include "vtkDataSet.h"
 #include "vtkKalosIlluminance.h"
 #include "vtkKalosLuminanceImage.h"
 
@@ -12,6 +14,7 @@ namespace studio
 namespace
 {
 constexpr qint64 quickTrajectories = 32;
+constexpr vtkIdType fewReceivers = 64;
 
 /// The thread of a run must not share lazily built parts with the window.
 template <class Data>
@@ -20,6 +23,14 @@ vtkSmartPointer<Data> copyOf(Data* data)
   auto copy = vtk::TakeSmartPointer(data->NewInstance());
   copy->DeepCopy(data);
   return copy;
+}
+
+vtkIdType countOf(vtkDataObject* receivers)
+{
+  vtkIdType count = 0;
+  for (const NamedSet& set : dataSets(receivers))
+    count += std::max(set.data->GetNumberOfPoints(), set.data->GetNumberOfCells());
+  return count;
 }
 
 MethodSettings quick(MethodSettings settings)
@@ -34,6 +45,7 @@ RunPlan planReceivers(const SceneDocument& scene, vtkDataObject* receivers, cons
 {
   auto illuminance = vtkSmartPointer<vtkKalosIlluminance>::New();
   const auto all = copyOf(receivers);
+  illuminance->SetKeepReplicates(countOf(all) <= fewReceivers);
   illuminance->SetInputData(1, copyOf(scene.surfaces()));
   illuminance->SetInputData(2, copyOf(scene.luminaires()));
   return {illuminance, [=] {

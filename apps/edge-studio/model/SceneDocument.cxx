@@ -132,6 +132,14 @@ void SceneDocument::read(const QString& sceneFile)
   }
 }
 
+bool SceneDocument::hasGloss() const
+{
+  for (const char* name : {vtkKalosArrayNames::Specular, vtkKalosArrayNames::Mirror})
+    if (vtkDataArray* array = this->Surfaces->GetCellData()->GetArray(name); array && array->GetRange()[1] > 0)
+      return true;
+  return false;
+}
+
 QString SceneDocument::name() const
 {
   return QFileInfo(this->Path).fileName();

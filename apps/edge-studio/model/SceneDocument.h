@@ -28,8 +28,9 @@ struct CameraPreset
 class SceneDocument
 {
 public:
-  /// A Kalos scene file, or a bare mesh (obj, ply, stl, vtp), which is then lit as a white furnace: reflectance 0.5 and
-  /// exitance 100 lm/m2 everywhere, so that the illuminance is 200 lx at every point of a closed mesh. Throws Problem.
+  /// A Kalos scene file or a model (gltf, glb, obj with materials), or a bare mesh (obj, ply, stl, vtp), which is then
+  /// lit as a white furnace: reflectance 0.5 and exitance 100 lm/m2 everywhere, so that the illuminance is 200 lx at
+  /// every point of a closed mesh. Throws Problem.
   static std::shared_ptr<const SceneDocument> open(const QString& path);
 
   const QString& path() const { return this->Path; }
@@ -52,6 +53,8 @@ public:
 
   /// Illuminance at every surface point where it is known: a closed scene of one reflectance, all of it emitting alike.
   std::optional<double> furnaceIlluminance() const { return this->Furnace; }
+  /// Whether some surface has gloss or a mirror, so that its luminance depends on where one looks from.
+  bool hasGloss() const;
   bool isBareMesh() const { return this->BareMesh; }
 
 private:

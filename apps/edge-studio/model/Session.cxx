@@ -172,10 +172,29 @@ std::optional<CameraPreset> openSession(Workbench& bench, const QString& path)
   return camera;
 }
 
-QString autosavePath()
+namespace
+{
+QString ownFile(const QString& name)
 {
   const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation));
   QDir().mkpath(folder.path());
-  return folder.filePath(QStringLiteral("autosave.json"));
+  return folder.filePath(name);
+}
+}  // namespace
+
+QString autosavePath()
+{
+  return ownFile(QStringLiteral("autosave.json"));
+}
+
+QString lastSessionPath()
+{
+  return ownFile(QStringLiteral("last.json"));
+}
+
+void removeSession(const QString& path)
+{
+  QFile::remove(path);
+  resultsFolder(path).removeRecursively();
 }
 }  // namespace studio

@@ -22,6 +22,12 @@ std::optional<CameraPreset> openSession(Workbench& bench, const QString& path);
 
 /// Where a session is kept that was not closed in an orderly way.
 QString autosavePath();
+
+/// Where the session is kept that was closed last.
+QString lastSessionPath();
+
+/// Removes a session and its results; nothing happens where there is none.
+void removeSession(const QString& path);
 }  // namespace studio
 
 #endif

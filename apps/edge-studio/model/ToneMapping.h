@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From luminance to a photograph: Reinhard, Stark, Shirley, Ferwerda, Photographic tone reproduction for digital images,
-// 2002, the global operator, equations (1) to (4).
+// From luminance to a photograph: Reinhard, Stark, Shirley, Ferwerda, Photographic tone reproduction for digital
+// images, 2002, the global operator, equations (1) to (4).
 #ifndef studio_ToneMapping_h
 #define studio_ToneMapping_h
 

@@ -5,9 +5,11 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QLocale>
 #include <QPalette>
 #include <QStyleFactory>
 #include <QSurfaceFormat>
+#include <clocale>
 
 #include "vtkObject.h"
 
@@ -21,11 +23,13 @@ void prepareApplication()
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
   QCoreApplication::setOrganizationName(QStringLiteral("Kalos"));
   QCoreApplication::setApplicationName(QStringLiteral("Edge Studio"));
+  QLocale::setDefault(QLocale::c());    // numbers have points, in files and beside them
   vtkObject::GlobalWarningDisplayOn();  // error events are not sent without
 }
 
 void dressApplication()
 {
+  std::setlocale(LC_NUMERIC, "C");  // QApplication takes over the user's, and readers of numbers would follow it
   // Neutral greys, so that nothing around the picture tints it.
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QPalette palette(QColor(0xf1, 0xf1, 0xf2));

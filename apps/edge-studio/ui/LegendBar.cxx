@@ -25,7 +25,10 @@ void drawLegend(QPainter& painter, const QRectF& area, const Legend& legend, con
   painter.save();
   painter.setPen(ink);
   const double line = QFontMetricsF(painter.font()).height();
-  const QRectF bar(area.left() + 10, area.top() + 2.6 * line, 16, area.height() - 5.4 * line);
+  const QRectF noteArea(area.left() + 8, area.top(), area.width() - 12, area.height() - 0.4 * line);
+  const double below =
+      painter.boundingRect(noteArea, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, legend.note).height();
+  const QRectF bar(area.left() + 10, area.top() + 2.6 * line, 16, area.height() - 4.2 * line - below);
   painter.drawText(QRectF(area.left() + 8, area.top() + 0.3 * line, area.width() - 8, 2 * line),
                    Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, legend.title + QLatin1Char('\n') + legend.unit);
 
@@ -48,15 +51,23 @@ void drawLegend(QPainter& painter, const QRectF& area, const Legend& legend, con
     return bar.bottom() - t * bar.height();
   };
   const int wanted = std::max(2, static_cast<int>(bar.height() / (2.2 * line)));
-  for (double value : roundValues({range[0], range[1]}, logarithmic, wanted))
+  const bool lines = !legend.isolines.isEmpty();
+  for (double value : lines ? legend.isolines : roundValues({range[0], range[1]}, logarithmic, wanted))
   {
     const double y = place(value);
+    if (!(y >= bar.top() - 1 && y <= bar.bottom() + 1))
+      continue;
+    if (lines)
+    {
+      painter.setPen(QPen(Qt::white, 1.2));
+      painter.drawLine(QPointF(bar.left() + 1, y), QPointF(bar.right() - 1, y));
+      painter.setPen(QPen(ink, 0.8));
+    }
     painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 5, y));
     painter.drawText(QRectF(bar.right() + 8, y - line / 2, area.right() - bar.right() - 8, line),
                      Qt::AlignLeft | Qt::AlignVCenter, number(value));
   }
-  painter.drawText(QRectF(area.left() + 8, bar.bottom() + 0.4 * line, area.width() - 8, 2.4 * line),
-                   Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, legend.note);
+  painter.drawText(noteArea, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, legend.note);
   painter.restore();
 }
 

@@ -3,6 +3,7 @@
 #ifndef studio_LegendBar_h
 #define studio_LegendBar_h
 
+#include <QVector>
 #include <QWidget>
 
 #include "vtkLookupTable.h"
@@ -14,7 +15,8 @@ struct Legend
 {
   vtkSmartPointer<vtkLookupTable> colours;
   QString title, unit;
-  QString note;  ///< below the bar
+  QString note;                ///< below the bar
+  QVector<double> isolines{};  ///< values of lines in the picture, marked and named in place of round values
 };
 
 void drawLegend(QPainter& painter, const QRectF& area, const Legend& legend, const QColor& ink);

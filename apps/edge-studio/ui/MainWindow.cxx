@@ -2,28 +2,18 @@
 #include "MainWindow.h"
 
 #include <QAction>
-#include <QApplication>
-#include <QCloseEvent>
 #include <QDockWidget>
-#include <QFile>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenuBar>
-#include <QMessageBox>
-#include <QMimeData>
-#include <QPainter>
 #include <QStatusBar>
 #include <QTabWidget>
 
 #include "Colours.h"
 #include "ComparePanel.h"
-#include "Export.h"
+#include "ImagePanel.h"
 #include "MethodPanel.h"
+#include "Pictures.h"
 #include "ProbePanel.h"
-#include "Problem.h"
-#include "RecentFiles.h"
-#include "Session.h"
 #include "ShowPanel.h"
 #include "SpeedPanel.h"
 #include "StudyPanel.h"
@@ -38,11 +28,17 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent)
   this->resize(1360, 840);
   this->View = new SceneView;
   this->Bar = new LegendBar;
+  this->Image = new ImagePanel(&this->Bench, this->View);
+  this->Centre = new QTabWidget;
+  this->Centre->setObjectName(QStringLiteral("centre"));
+  this->Centre->setDocumentMode(true);
+  this->Centre->addTab(this->View, tr("Scene"));
+  this->Centre->addTab(this->Image, tr("Image"));
   auto* centre = new QWidget;
   auto* layout = new QHBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addWidget(this->View, 1);
+  layout->addWidget(this->Centre, 1);
   layout->addWidget(this->Bar);
   this->setCentralWidget(centre);
   this->makePanels();
@@ -52,6 +48,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent)
   connect(&this->Bench, &Workbench::resultsChanged, this, &MainWindow::showResult);
   connect(&this->Bench, &Workbench::displayChanged, this, &MainWindow::showResult);
   connect(&this->Bench, &Workbench::displayChanged, this, &MainWindow::updatePicking);
+  connect(this->Image, &ImagePanel::changed, this, &MainWindow::showLegend);
+  connect(this->Image, &ImagePanel::saveAsked, this, &MainWindow::exportImageAs);
+  connect(this->Centre, &QTabWidget::currentChanged, this, &MainWindow::showLegend);
   connect(&this->Bench, &Workbench::problem, this, &MainWindow::complain);
   connect(&this->Bench, &Workbench::runBegan, this, &MainWindow::autosave);
   connect(&this->Bench, &Workbench::runEnded, this, &MainWindow::autosave);
@@ -102,32 +101,6 @@ void MainWindow::mark(int kind, const QVector<QVector<Point>>& lines)
   this->View->mark(this->Marks[0] + this->Marks[1]);
 }
 
-void MainWindow::makeFileMenu()
-{
-  QMenu* file = this->menuBar()->addMenu(tr("&File"));
-  auto add = [this, file](const QString& text, const QKeySequence& keys, auto handler) {
-    QAction* action = file->addAction(text);
-    action->setShortcut(keys);
-    connect(action, &QAction::triggered, this, handler);
-    return action;
-  };
-  add(tr("&Open…"), QKeySequence::Open, [this] { this->chooseFile(); });
-  this->RecentMenu = file->addMenu(tr("Open &recent"));
-  connect(this->RecentMenu, &QMenu::aboutToShow, this, &MainWindow::listRecent);
-  add(tr("&Save the session…"), QKeySequence::Save, [this] { this->saveSessionAs(); });
-  file->addSeparator();
-  QAction* picture = add(tr("Export the &picture…"), Qt::CTRL | Qt::Key_P, [this] { this->exportPictureAs(); });
-  QAction* results = add(tr("Export the &values…"), Qt::CTRL | Qt::Key_E, [this] { this->exportResultsTo(); });
-  auto enable = [this, picture, results] {
-    picture->setEnabled(this->Bench.scene() != nullptr);
-    results->setEnabled(this->Bench.shown() != nullptr);
-  };
-  connect(&this->Bench, &Workbench::resultsChanged, this, enable);
-  enable();
-  file->addSeparator();
-  add(tr("&Quit"), QKeySequence::Quit, [this] { this->close(); });
-}
-
 void MainWindow::makeMenus()
 {
   auto add = [this](QMenu* menu, const QString& text, const QKeySequence& keys, auto handler) {
@@ -166,135 +139,6 @@ void MainWindow::makeMenus()
   enableRun();
 
   this->CameraMenu = this->menuBar()->addMenu(tr("&Camera"));
-}
-
-void MainWindow::chooseFile()
-{
-  const QString path = QFileDialog::getOpenFileName(
-      this, tr("Open a scene"), this->Bench.scene() ? this->Bench.scene()->path() : QString(),
-      tr("Scenes and meshes (*.json *.glb *.gltf *.obj *.ply *.stl *.vtp);;All files (*)"));
-  if (!path.isEmpty())
-    this->openFile(path);
-}
-
-bool MainWindow::openFile(const QString& path)
-{
-  bool opened = false;
-  this->attempt([&] {
-    if (isSession(path))
-    {
-      if (const auto camera = openSession(this->Bench, path))
-        this->View->look(*camera);
-    }
-    else
-      this->Bench.open(path);
-    addRecentFile(QFileInfo(path).absoluteFilePath());
-    opened = true;
-  });
-  return opened;
-}
-
-void MainWindow::attempt(const std::function<void()>& action)
-{
-  QApplication::setOverrideCursor(Qt::WaitCursor);
-  QString trouble;
-  try
-  {
-    action();
-  }
-  catch (const Problem& problem)
-  {
-    trouble = problem.message();
-  }
-  QApplication::restoreOverrideCursor();
-  if (!trouble.isEmpty())
-    this->complain(trouble);
-}
-
-void MainWindow::saveSessionAs()
-{
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save the session"), QString(), tr("Sessions (*.json)"));
-  if (!path.isEmpty())
-    this->attempt([&] { saveSession(this->Bench, this->View->camera(), path); });
-}
-
-void MainWindow::exportPictureAs()
-{
-  const QString path = QFileDialog::getSaveFileName(this, tr("Export the picture"), QString(), tr("PNG (*.png)"));
-  if (!path.isEmpty() && !this->pictureWithLegend().save(path, "PNG"))
-    this->complain(tr("%1: file: can not be written; expected a place that can be written").arg(path));
-}
-
-void MainWindow::exportResultsTo()
-{
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Export the values, CSV and VTP, into a folder"));
-  if (!folder.isEmpty())
-    this->attempt([&] { exportResult(*this->Bench.shown(), folder); });
-}
-
-QImage MainWindow::pictureWithLegend()
-{
-  const QImage view = this->View->picture();
-  if (!this->Bar->legend().colours)
-    return view;
-  const double ratio = view.devicePixelRatio();
-  QImage image(view.width() + static_cast<int>(this->Bar->width() * ratio), view.height(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(ratio);
-  image.fill(Qt::white);
-  QPainter painter(&image);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.drawImage(QPointF(0, 0), view);
-  drawLegend(painter, QRectF(view.width() / ratio, 0, this->Bar->width(), view.height() / ratio), this->Bar->legend(),
-             Qt::black);
-  return image;
-}
-
-void MainWindow::autosave()
-{
-  // Silent: what can not be saved here is no reason to disturb; an orderly end removes it.
-  try
-  {
-    if (this->Bench.scene())
-      saveSession(this->Bench, this->View->camera(), autosavePath());
-  }
-  catch (const Problem&)
-  {
-  }
-}
-
-void MainWindow::offerAutosave()
-{
-  if (!QFileInfo(autosavePath()).isFile())
-    return;
-  QMessageBox box(QMessageBox::Question, tr("Edge Studio"),
-                  tr("The last session did not end in an orderly way. Open what was saved of it?"),
-                  QMessageBox::Yes | QMessageBox::No, this);
-  if (box.exec() == QMessageBox::Yes)
-    this->openFile(autosavePath());
-}
-
-void MainWindow::complain(const QString& message)
-{
-  // FILE: WHERE: what is wrong and what is expected
-  const QStringList parts = message.split(QStringLiteral(": "));
-  QMessageBox box(QMessageBox::Warning, tr("Edge Studio"), QString(), QMessageBox::Ok, this);
-  box.setObjectName(QStringLiteral("problem"));
-  if (parts.size() >= 3)
-  {
-    box.setText(tr("%1 can not be used.").arg(parts[0]));
-    box.setInformativeText(
-        tr("Where: %1\n\nWhat: %2").arg(parts[1], QStringList(parts.mid(2)).join(QStringLiteral(": "))));
-  }
-  else
-    box.setText(message);
-  box.exec();
-}
-
-void MainWindow::listRecent()
-{
-  this->RecentMenu->clear();
-  for (const QString& path : recentFiles())
-    connect(this->RecentMenu->addAction(path), &QAction::triggered, this, [this, path] { this->openFile(path); });
 }
 
 void MainWindow::listCameras()
@@ -349,56 +193,36 @@ void MainWindow::showResult()
   const Display& display = this->Bench.display();
   const ComparePanel::Mode mode = result ? this->Compare->mode() : ComparePanel::Mode::Off;
   const bool two = mode == ComparePanel::Mode::SideBySide || mode == ComparePanel::Mode::Swipe;
-  Picture first, second;
-  Legend legend;
+  ShownPictures shown;
   if (mode == ComparePanel::Mode::Difference)
   {
-    first = {this->Compare->comparison().data, QString::fromLatin1(Comparison::arrayName), differenceColours(5), {}};
-    legend = {first.colours, tr("Difference"), tr("std. errors"), {}};
+    shown.first = {
+        this->Compare->comparison().data, QString::fromLatin1(Comparison::arrayName), differenceColours(5), {}, {}};
+    shown.legend = {shown.first.colours, tr("Difference"), tr("std. errors"), {}, {}};
   }
-  else if (result)
-  {
-    const auto range = rangeOf({result, two ? this->Compare->other() : nullptr}, display);
-    first = {result->data, QString::fromLatin1(arrayName(display.quantity)), falseColours(range, display.logarithmic),
-             display.isolines ? roundValues(range, display.logarithmic, 10) : QVector<double>()};
-    second = first;
-    second.data = two ? this->Compare->other()->data : nullptr;
-    legend = {first.colours, title(display.quantity), unitOf(display.quantity), QString()};
-  }
+  else
+    shown = picturesOf(result, two ? this->Compare->other() : nullptr, display);
+  if (display.quantity == Quantity::Luminance && this->Bench.scene() && this->Bench.scene()->hasGloss())
+    shown.legend.note = tr("diffuse part; gloss and mirrors: Image");
   const auto layout = !two                                     ? SceneView::Layout::Single
                       : mode == ComparePanel::Mode::SideBySide ? SceneView::Layout::SideBySide
                                                                : SceneView::Layout::Swipe;
   if (layout != this->View->layoutMode())
     this->View->setLayoutMode(layout);
-  this->View->paint(first, second, display);
-  this->Bar->setLegend(legend);
-  this->Bar->setVisible(result != nullptr);
+  this->View->paint(shown.first, shown.second, display);
+  this->SceneLegend = shown.legend;
+  this->showLegend();
 }
 
-void MainWindow::closeEvent(QCloseEvent* event)
+bool MainWindow::showsImage() const
 {
-  if (this->Bench.isRunning())
-  {
-    QMessageBox box(QMessageBox::Question, tr("Edge Studio"), tr("A run is under way. Stop it and close?"),
-                    QMessageBox::Yes | QMessageBox::No, this);
-    box.setObjectName(QStringLiteral("closing"));
-    if (box.exec() != QMessageBox::Yes)
-      return event->ignore();
-    this->Bench.cancel();
-  }
-  QFile::remove(autosavePath());
-  event->accept();
+  return this->Centre->currentWidget() == this->Image;
 }
 
-void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+void MainWindow::showLegend()
 {
-  if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile())
-    event->acceptProposedAction();
+  this->Bar->setLegend(this->showsImage() ? this->Image->legend() : this->SceneLegend);
+  this->Bar->setVisible(this->Bar->legend().colours != nullptr);
 }
 
-void MainWindow::dropEvent(QDropEvent* event)
-{
-  event->acceptProposedAction();
-  this->openFile(event->mimeData()->urls().front().toLocalFile());
-}
 }  // namespace studio

@@ -11,10 +11,12 @@
 #include "Workbench.h"
 
 class QMenu;
+class QTabWidget;
 
 namespace studio
 {
 class ComparePanel;
+class ImagePanel;
 
 class MainWindow : public QMainWindow
 {
@@ -29,7 +31,7 @@ public:
   Workbench* bench() { return &this->Bench; }
   SceneView* view() const { return this->View; }
 
-  /// The view with its legend, as one image.
+  /// The view, or the image of luminance where that is in front, with its legend.
   QImage pictureWithLegend();
 
   /// Offers the session that a crash has left, if there is one.
@@ -49,18 +51,25 @@ private:
   void listCameras();
   void showScene();
   void showResult();
+  void showLegend();
+  bool showsImage() const;
   void updatePicking();
   void complain(const QString& message);
   void attempt(const std::function<void()>& action);  // complains of the Problem that it throws
   void saveSessionAs();
   void exportPictureAs();
   void exportResultsTo();
+  void exportImageAs();
+  void saveQuietly(const QString& path);
   void autosave();
   void mark(int kind, const QVector<QVector<Point>>& lines);
 
   Workbench Bench;
   SceneView* View;
+  ImagePanel* Image;
+  QTabWidget* Centre;
   LegendBar* Bar;
+  Legend SceneLegend;
   ComparePanel* Compare;
   std::array<QVector<QVector<Point>>, 2> Marks;  // of the probe and of the line
   QMenu *RecentMenu, *CameraMenu;

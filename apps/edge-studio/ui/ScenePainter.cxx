@@ -16,10 +16,40 @@
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVertexGlyphFilter.h"
 
 namespace studio
 {
+namespace
+{
+/// Colours the mapper's own data by bands of luminance.
+void photograph(vtkPolyDataMapper* mapper, const QByteArray& bandsName, bool byPoint, const Exposure& exposure)
+{
+  vtkNew<vtkPolyData> data;
+  data->ShallowCopy(mapper->GetInput());
+  vtkDataSetAttributes* attributes = data->GetPointData();
+  if (!byPoint)
+    attributes = data->GetCellData();
+  vtkDataArray* bands = attributes->GetArray(bandsName.constData());
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName("Photograph");
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(bands->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < bands->GetNumberOfTuples(); ++i)
+  {
+    double rgb[3];
+    bands->GetTuple(i, rgb);
+    colours->SetTypedTuple(i, photographicColour(rgb, exposure).data());
+  }
+  attributes->AddArray(colours);
+  mapper->SetInputData(data);
+  mapper->SelectColorArray(colours->GetName());
+  mapper->SetColorModeToDirectScalars();
+  mapper->InterpolateScalarsBeforeMappingOff();
+}
+}  // namespace
+
 ScenePainter::ScenePainter()
 {
   this->Renderer->SetBackground(0.235, 0.245, 0.26);
@@ -158,8 +188,13 @@ void ScenePainter::addReceivers(vtkDataSet* data, const Picture& picture, bool s
   const bool byPoint = ofPoints || smooth;
   byPoint ? mapper->SetScalarModeToUsePointFieldData() : mapper->SetScalarModeToUseCellFieldData();
   mapper->SelectColorArray(name.constData());
-  mapper->SetLookupTable(picture.colours);
-  mapper->UseLookupTableScalarRangeOn();
+  if (picture.exposure)
+    photograph(mapper, name, byPoint, *picture.exposure);
+  else
+  {
+    mapper->SetLookupTable(picture.colours);
+    mapper->UseLookupTableScalarRangeOn();
+  }
 
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);

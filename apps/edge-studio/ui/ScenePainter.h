@@ -4,9 +4,11 @@
 #define studio_ScenePainter_h
 
 #include <QVector>
+#include <optional>
 
 #include "Display.h"
 #include "SceneDocument.h"
+#include "ToneMapping.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
@@ -22,6 +24,7 @@ struct Picture
   QString array;
   vtkSmartPointer<vtkLookupTable> colours;
   QVector<double> isolines;
+  std::optional<Exposure> exposure;  ///< the array has linear red, green and blue, to be shown as a photograph
 };
 
 class ScenePainter

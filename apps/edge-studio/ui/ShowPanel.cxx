@@ -34,10 +34,17 @@ ShowPanel::ShowPanel(Workbench* bench, QWidget* parent) : QWidget(parent), Bench
   this->QuantityBox->setObjectName(QStringLiteral("quantity"));
   for (Quantity q : {Quantity::Illuminance, Quantity::DirectIlluminance, Quantity::Luminance, Quantity::StandardError})
     this->QuantityBox->addItem(tr("%1, %2").arg(title(q), unitOf(q)));
-  this->QuantityBox->setItemData(2, tr("What surfaces send out diffusely, (ρE + M)/π"), Qt::ToolTipRole);
+  this->QuantityBox->setItemData(2,
+                                 tr("What surfaces send out diffusely, (ρE + M)/π; gloss and mirrors are in the "
+                                    "image"),
+                                 Qt::ToolTipRole);
   this->ScaleBox = new QComboBox;
   this->ScaleBox->setObjectName(QStringLiteral("scale"));
-  this->ScaleBox->addItems({tr("Linear"), tr("Logarithmic")});
+  this->ScaleBox->addItems({tr("Linear"), tr("Logarithmic"), tr("Photographic")});
+  this->ScaleBox->setItemData(2,
+                              tr("Tone-mapped as a photograph: middle grey at the average, the upper end of the range "
+                                 "white"),
+                              Qt::ToolTipRole);
   this->Low = rangeBox(QStringLiteral("low"));
   this->High = rangeBox(QStringLiteral("high"));
   auto check = [](const QString& text, const QString& name, const QString& tip = {}) {
@@ -107,7 +114,7 @@ void ShowPanel::read()
                                      QSignalBlocker(this->Luminaires), QSignalBlocker(this->Low),
                                      QSignalBlocker(this->High)};
   this->QuantityBox->setCurrentIndex(static_cast<int>(d.quantity));
-  this->ScaleBox->setCurrentIndex(d.logarithmic ? 1 : 0);
+  this->ScaleBox->setCurrentIndex(static_cast<int>(d.scale));
   this->Automatic->setChecked(d.automaticRange);
   this->Smooth->setChecked(d.smooth);
   this->Isolines->setChecked(d.isolines);
@@ -125,7 +132,7 @@ void ShowPanel::write()
   Display d = this->Bench->display();
   const bool wasAutomatic = d.automaticRange;
   d.quantity = static_cast<Quantity>(this->QuantityBox->currentIndex());
-  d.logarithmic = this->ScaleBox->currentIndex() == 1;
+  d.scale = static_cast<Scale>(this->ScaleBox->currentIndex());
   d.automaticRange = this->Automatic->isChecked();
   d.smooth = this->Smooth->isChecked();
   d.isolines = this->Isolines->isChecked();
@@ -136,7 +143,7 @@ void ShowPanel::write()
     // Leaving the automatic range starts from it; an empty one is widened at its upper end.
     d.range = wasAutomatic ? rangeOf({this->Bench->shown()}, this->Bench->display())
                            : std::array<double, 2>{this->Low->value(), this->High->value()};
-    if (d.logarithmic && !(d.range[0] > 0))
+    if (d.scale == Scale::Logarithmic && !(d.range[0] > 0))
       d.range[0] = 1e-3 * std::max(1.0, d.range[1]);
     if (!(d.range[0] < d.range[1]))
       d.range[1] = d.range[0] + 1;
