@@ -49,8 +49,7 @@ private slots:
     QVERIFY(result && result->complete && result->trajectories == 512);
     vtkImageData* image = panel->image().data();
     QCOMPARE(image->GetDimensions()[1], 128);
-    // The middle of the floor in front of the boxes: what falls in is 60 to 200 lx on a red-free white of 0.5 with
-    // gloss.
+    // Low in the middle, where some 100 to 500 lx fall on a reflectance of about a half.
     const vtkIdType floor = 128 / 8 * static_cast<vtkIdType>(image->GetDimensions()[0]) + image->GetDimensions()[0] / 2;
     const double luminance = image->GetPointData()->GetArray("Luminance")->GetComponent(floor, 0);
     QVERIFY2(luminance > 5 && luminance < 100, qPrintable(QString::number(luminance)));

@@ -14,12 +14,13 @@ namespace
 using Estimator = vtkKalosEstimatorAlgorithm;
 
 const QStringList goalKeys{QStringLiteral("trajectories"), QStringLiteral("error"), QStringLiteral("time")};
-
-QString length(double metres)
-{
-  return metres > 0 ? QStringLiteral("%1 m").arg(metres) : QStringLiteral("auto");
-}
 }  // namespace
+
+QString lengthText(double metres)
+{
+  return metres > 0 ? QCoreApplication::translate("MethodSettings", "%1 m").arg(metres)
+                    : QCoreApplication::translate("MethodSettings", "auto");
+}
 
 const QVector<Method>& methods()
 {
@@ -72,9 +73,9 @@ QString MethodSettings::describe() const
       break;
   }
   if (chosen.usesDelta)
-    parts << QStringLiteral("δ ") + length(this->delta);
+    parts << QStringLiteral("δ ") + lengthText(this->delta);
   if (chosen.usesEpsilon)
-    parts << QStringLiteral("ε ") + length(this->epsilon);
+    parts << QStringLiteral("ε ") + lengthText(this->epsilon);
   return parts.join(QStringLiteral(", "));
 }
 

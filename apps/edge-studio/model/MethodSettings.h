@@ -30,6 +30,9 @@ enum class Goal
   Time
 };
 
+/// "0.1 m"; "auto" for 0.
+QString lengthText(double metres);
+
 struct MethodSettings
 {
   int method = methods().front().id;

@@ -101,7 +101,7 @@ Chart Probe::convergence() const
   chart.yLabel = tr("illuminance, lx");
   chart.logX = true;
   chart.yFromZero = false;
-  chart.empty = tr("Click a point of the picture");
+  chart.empty = tr("Click a point of the picture: here its estimate converges");
   if (this->Steps.empty())
     return chart;
   Series estimate;

@@ -39,11 +39,6 @@ QLineEdit* listEdit(const QString& name, const QString& text, const QString& tip
   edit->setToolTip(tip);
   return edit;
 }
-
-QString length(double metres)
-{
-  return metres > 0 ? QStringLiteral("%1 m").arg(metres) : QStringLiteral("auto");
-}
 }  // namespace
 
 QVector<double> numberList(const QString& text, bool allowAuto)
@@ -131,7 +126,7 @@ void StudyPanel::start()
     down << tr("N = %1").arg(n);
   for (double delta : deltas)
     for (double epsilon : epsilons)
-      across << tr("δ %1\nε %2").arg(length(delta), length(epsilon));
+      across << tr("δ %1\nε %2").arg(lengthText(delta), lengthText(epsilon));
   this->Columns = static_cast<int>(across.size());
   this->Count = static_cast<int>(series.size());
   this->First = static_cast<int>(this->Bench->results().size());
