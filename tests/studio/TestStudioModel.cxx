@@ -85,6 +85,38 @@ private slots:
     QCOMPARE(scene->sets(), QStringList{"surfaces"});
   }
 
+  // Ke is a luminance: 100/pi cd/m2 with a reflectance of 0.5 make a furnace of 200 lx.
+  void objBringsItsMaterials()
+  {
+    writeFile(this->Folder.path(), "cube.mtl", "newmtl glow\nKd 0.5 0.5 0.5\nKe 31.830989 31.830989 31.830989\n");
+    const QString path =
+        writeFile(this->Folder.path(), "cube.obj",
+                  "mtllib cube.mtl\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\n"
+                  "usemtl glow\nf 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n");
+    const ScenePtr scene = SceneDocument::open(path);
+    QVERIFY(!scene->isBareMesh());
+    QVERIFY(std::abs(scene->furnaceIlluminance().value_or(0) - 200) < 1e-3);
+    QVERIFY2(scene->sets().size() > 1, "a model gets a work plane");
+  }
+
+  void gltfBringsItsLights()
+  {
+    const QString path = writeFile(this->Folder.path(), "floor.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
+      "scenes": [{"nodes": [0, 1]}],
+      "nodes": [{"mesh": 0}, {"translation": [0.3, 1, -0.3], "extensions": {"KHR_lights_punctual": {"light": 0}}}],
+      "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+      "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+      "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}],
+      "buffers": [{"byteLength": 36, "uri":
+        "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAAAAAIC/"}],
+      "extensionsUsed": ["KHR_lights_punctual"],
+      "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "intensity": 100}]}}})");
+    const ScenePtr scene = SceneDocument::open(path);
+    QCOMPARE(scene->luminaires()->GetNumberOfPoints(), 1);
+    QVERIFY2(std::abs(scene->luminaires()->GetPoint(0)[2] - 1) < 1e-6, "y is up in glTF");
+    QVERIFY(!scene->isBareMesh() && scene->sets().contains("surfaces"));
+  }
+
   void brokenSceneIsRefusedAndTheOldOneStays_data()
   {
     QTest::addColumn<QByteArray>("text");
