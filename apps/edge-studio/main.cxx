@@ -16,9 +16,10 @@ int main(int argc, char* argv[])
   parser.setApplicationDescription(
       QApplication::translate("main", "Illuminance and luminance of a scene, and what each method does at its edges"));
   parser.addHelpOption();
-  parser.addPositionalArgument(QStringLiteral("scene"),
-                               QApplication::translate("main", "Kalos scene file (json), model (gltf, glb, obj) or mesh (ply, stl, vtp)"),
-                               QStringLiteral("[scene]"));
+  parser.addPositionalArgument(
+      QStringLiteral("scene"),
+      QApplication::translate("main", "Kalos scene file (json), model (gltf, glb, obj) or mesh (ply, stl, vtp)"),
+      QStringLiteral("[scene]"));
   parser.process(application);
   const QStringList scenes = parser.positionalArguments();
 
