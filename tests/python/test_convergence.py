@@ -21,6 +21,8 @@ def test_percentile_runs_over_receivers_and_repetitions():
     estimates[0, 0] = 110
     found = errors(estimates, TRUTH, "value")
     assert found["p95"] == 0 and found["max"] == pytest.approx(0.1)
+    estimates[:6, 0] = 110  # 6 of 75: more than 5 %, less than 10 %
+    assert errors(estimates, TRUTH, "value")["p95"] == pytest.approx(0.1)
 
 
 def test_noise_of_the_truth_is_taken_out():
