@@ -72,9 +72,9 @@ private:
 
   double visibleShare(const Luminaire& l) const
   {
-    const Vec3 target = this->World.shadowTarget(l);
     if (l.isPoint())
-      return this->World.rays().occluded(this->Eye, target) ? 0 : 1;
+      return this->World.rays().occluded(this->Eye, this->World.shadowTarget(l)) ? 0 : 1;
+    const Vec3 target = this->World.shadowTarget(l).lifted;
     int visible = 0;
     for (int i = 0; i < parts; ++i)
       for (int j = 0; j < parts; ++j)
