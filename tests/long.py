@@ -31,6 +31,7 @@ SECTIONS = (
       "tests/command/test_checkpoint.py", "-k", "killed"]),
     ("fuzz", "photometric files, two minutes", ["tests/fuzz/run", "120"]),
     ("sanitizers", "kernels under address and undefined-behaviour sanitizers", ["tests/sanitized", "asan", QUICK]),
+    ("meshing", "meshing and its filters under address and undefined-behaviour sanitizers", ["tests/meshing/sanitize"]),
     ("threads", "kernels under the thread sanitizer", ["tests/sanitized", "tsan", QUICK]),
     ("tidy", "clang-tidy on the kernels", ["tests/tidy"]),
     ("mutations", "every mutation is caught", ["tests/mutate"]),
