@@ -49,10 +49,10 @@ private slots:
     QVERIFY(result && result->complete && result->trajectories == 512);
     vtkImageData* image = panel->image().data();
     QCOMPARE(image->GetDimensions()[1], 128);
-    // Low in the middle, where some 100 to 500 lx fall on a reflectance of about a half.
+    // Low in the middle, where the side of a box that the lamp does not reach fills the view.
     const vtkIdType floor = 128 / 8 * static_cast<vtkIdType>(image->GetDimensions()[0]) + image->GetDimensions()[0] / 2;
     const double luminance = image->GetPointData()->GetArray("Luminance")->GetComponent(floor, 0);
-    QVERIFY2(luminance > 5 && luminance < 100, qPrintable(QString::number(luminance)));
+    QVERIFY2(luminance > 1 && luminance < 20, qPrintable(QString::number(luminance)));
     this->keep("15-image");
     auto* view = this->find<ImageView>("imageView");
     QTest::mouseMove(view, view->rect().center() - QPoint(3, 3));

@@ -46,7 +46,7 @@ protected:
   {
     this->settle();
     const QPixmap picture = this->Window->grab();
-    const QString scaling = picture.devicePixelRatio() > 1 ? QStringLiteral("-200-per-cent") : QString();
+    const QString scaling = picture.devicePixelRatio() > 1.5 ? QStringLiteral("-200-per-cent") : QString();
     QVERIFY(picture.save(QStringLiteral(KALOS_SCREENSHOTS "/%1%2.png").arg(name, scaling)));
   }
   /// Answers the next dialog and returns what it said.
