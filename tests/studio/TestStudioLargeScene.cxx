@@ -36,9 +36,9 @@ private slots:
     });
     bench->run();
     QTRY_VERIFY_WITH_TIMEOUT(whole > 0, 120000);
-    figure("first colours of the office", pictures[0], "s", 2);
-    figure("second picture of the office", pictures[1], "s", 4);
-    figure("every point of the office", whole, "s", 8);
+    figure("first colours of the office", pictures[0], "s", 4);
+    figure("second picture of the office", pictures[1], "s", 6);
+    figure("every point of the office", whole, "s", 12);
     this->keep("13-office");
 
     auto* style = view->interactor()->GetInteractorStyle();
