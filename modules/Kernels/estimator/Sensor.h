@@ -48,6 +48,8 @@ inline Bands response(const Sensor& s, const Vec3& incident, int bands)
   if (!s.brdf)
     return uniformBands(1);
   Bands f = s.brdf->timesPi(s.normal, incident, s.outgoing);
+  if (std::isinf(s.ratio))  // times a lobe of nothing, as a mirror's, it would be no number
+    return f;
   const double share = gatheredShare(s.ratio * lobeRatio(*s.brdf, s.normal, incident, f, bands));
   for (int b = 0; b < bands; ++b)
     f[b] *= share;
