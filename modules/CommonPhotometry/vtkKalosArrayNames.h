@@ -49,6 +49,8 @@ constexpr const char* DirectIlluminance = "DirectIlluminance";                //
 constexpr const char* KernelCorrection = "KernelCorrection";    ///< lx, altered less plain kernel, same trajectories
 constexpr const char* LargestScoreShare = "LargestScoreShare";  ///< largest single score over the sum, [0, 1]
 constexpr const char* IntervalTrusted = "IntervalTrusted";      ///< 1 where the standard error can be believed, else 0
+/// With a goal for the error: 0 missed, 1 the 95 % half-width is within it, 2 it is below the floor of a dim value.
+constexpr const char* GoalStatus = "GoalStatus";
 constexpr const char* IndirectIlluminanceStandardError = "IndirectIlluminanceStandardError";  ///< lx, of total - direct
 constexpr const char* IlluminanceReplicates = "IlluminanceReplicates";  ///< lx, a component a replicate, if asked for
 constexpr const char* IlluminanceBands = "IlluminanceBands";            ///< lx, n components, when n > 1

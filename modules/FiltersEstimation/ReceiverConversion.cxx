@@ -157,6 +157,8 @@ std::size_t AttachResults(const kalos::Result& result, std::size_t first, vtkDat
   AddFlags(data, Names::IntervalTrusted, result.trusted, first, count);
   if (!result.gatherRays.empty())
     AddColumn(data, Names::GatherRays, result.gatherRays, first, count);
+  if (!result.goal.empty())
+    AddFlags(data, Names::GoalStatus, result.goal, first, count);
   if (result.alteredKernel)
     AddColumn(data, Names::KernelCorrection, result.kernelCorrection, first, count);
   if (result.bands > 1)

@@ -3,7 +3,7 @@
 
 #include "CheckpointFile.h"
 #include "SceneConversion.h"
-#include "estimator/Settings.h"
+#include "estimator/Savings.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -32,6 +32,7 @@ vtkKalosEstimatorAlgorithm::vtkKalosEstimatorAlgorithm()
 vtkKalosEstimatorAlgorithm::~vtkKalosEstimatorAlgorithm()
 {
   this->SetController(nullptr);
+  this->SetWithout(nullptr);
   this->SetCheckpointFile(nullptr);
 }
 
@@ -81,11 +82,14 @@ kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings(const kalos::Ranks& ran
   settings.method = static_cast<kalos::Method>(this->Method);
   settings.trajectories = this->Trajectories;
   settings.relativeError = this->RelativeError;
+  settings.errorFloor = this->ErrorFloor;
   settings.seconds = this->Seconds;
   settings.seed = static_cast<std::uint64_t>(this->Seed);
   settings.threads = this->Threads;
   settings.delta = this->Delta;
   settings.epsilon = this->Epsilon;
+  if (this->Without)
+    kalos::switchOff(this->Without, settings);
   return settings;
 }
 
@@ -132,6 +136,7 @@ void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "Trajectories: " << this->Trajectories << "\n";
   os << indent << "RelativeError: " << this->RelativeError << "\n";
+  os << indent << "ErrorFloor: " << this->ErrorFloor << "\n";
   os << indent << "Seconds: " << this->Seconds << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "Threads: " << this->Threads << "\n";
@@ -141,5 +146,6 @@ void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
   os << indent << "KeepScene: " << (this->KeepScene ? "on" : "off") << "\n";
   os << indent << "IntermediateResults: " << (this->IntermediateResults ? "on" : "off") << "\n";
+  os << indent << "Without: " << (this->Without ? this->Without : "") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }

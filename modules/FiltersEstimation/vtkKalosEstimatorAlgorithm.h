@@ -4,11 +4,11 @@
  * @brief Settings that every estimating filter shares.
  *
  * The method, its effort and its goals. Without a goal the filter runs Trajectories; with one, until the first of:
- * every value's 95 % half-width is within RelativeError of it, Seconds have passed, Trajectories are used up.
- * Every filter attaches to its output the field data arrays Audit (what was modelled and why), Trajectories,
- * Rays, SolveSeconds, SolveCpuSeconds and Seed. It reports progress and obeys AbortExecute: the output then holds the
- * rounds that were complete, and the audit says so; it is empty when there was none. The same seed gives the same
- * numbers, bit by bit, for any number of threads.
+ * every value's 95 % half-width is within RelativeError of it or below ErrorFloor, Seconds have passed, Trajectories
+ * are used up. Every filter attaches to its output the field data arrays Audit (what was modelled and why),
+ * Trajectories, Rays, SolveSeconds, SolveCpuSeconds and Seed. It reports progress and obeys AbortExecute: the output
+ * then holds the rounds that were complete, and the audit says so; it is empty when there was none. The same seed gives
+ * the same numbers, bit by bit, for any number of threads.
  *
  * Errors: settings out of range, surfaces without the array Reflectance, arrays shorter or longer than what they are
  * of, values out of range or not finite give an ErrorEvent and no output.
@@ -74,6 +74,16 @@ public:
    */
   vtkSetMacro(RelativeError, double);
   vtkGetMacro(RelativeError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Half-width that is small enough for any value, whatever RelativeError says, lx; of an image that of the illuminance
+   * on what the pixels see. Default -1, or any negative number: RelativeError of a hundredth of the mean over all
+   * values.
+   */
+  vtkSetMacro(ErrorFloor, double);
+  vtkGetMacro(ErrorFloor, double);
   ///@}
 
   ///@{
@@ -164,6 +174,17 @@ public:
 
   ///@{
   /**
+   * Savings to do without, names separated by commas: stratified (walks stratified by Sobol' points), picked (shadow
+   * rays only to vertices picked by their scores), convex (no shadow rays in an empty convex room), near (gather rays
+   * only where a surface is near), exact-direct (area emitters in closed form). None moves a mean; for those who
+   * measure what they save. Default empty.
+   */
+  vtkSetStringMacro(Without);
+  vtkGetStringMacro(Without);
+  ///@}
+
+  ///@{
+  /**
    * The processes that share the work. Default: the global controller at construction; null or a single process works
    * alone. With several, all of them must update the filter. Each asks its inputs for the whole, whatever piece it is
    * asked for itself, works on its share of the replicates, and knows the result, bit by bit that of one process. A
@@ -197,6 +218,7 @@ protected:
   int Method = COMPENSATED;
   vtkIdType Trajectories = 0;
   double RelativeError = 0;
+  double ErrorFloor = -1;
   double Seconds = 0;
   vtkIdType Seed = 1;
   int Threads = 0;
@@ -206,6 +228,7 @@ protected:
   double CheckpointInterval = 10;
   bool IntermediateResults = false;
   bool KeepScene = false;
+  char* Without = nullptr;
   vtkMultiProcessController* Controller = nullptr;
 
 private:

@@ -5,7 +5,7 @@ import math
 import sys
 
 from kalos.errors import BAD_INPUT
-from kalos.estimator import METHODS
+from kalos.estimator import METHODS, SAVINGS
 from kalos.peers import NAMES as PEERS
 
 
@@ -41,6 +41,7 @@ def quantity(kind, expected, accept):
 COUNT = quantity(int, "a whole number from 1 to 9223372036854775807", lambda n: 1 <= n < 2**63)
 GIVEN_LENGTH = quantity(float, "auto, or a length > 0 in metres", lambda x: x > 0)
 RELATIVE = quantity(float, "a relative error > 0 and < 1, such as 0.01", lambda x: 0 < x < 1)
+FLOOR = quantity(float, "a half-width of 0 lx or more", lambda x: x >= 0)
 TIME = quantity(float, "a time > 0, in seconds", lambda x: x > 0)
 SEED = quantity(int, "a whole number from 0 to 2147483647", lambda n: 0 <= n < 2**31)
 THREADS = quantity(int, "a whole number from 0 (all) to 1024", lambda n: 0 <= n <= 1024)
@@ -60,6 +61,15 @@ def method(text):
 def methods(text):
     """Methods of Kalos, each once."""
     return tuple(dict.fromkeys(method(name) for name in text.split(",")))
+
+
+def savings(text):
+    """Savings to do without, each once."""
+    names = tuple(dict.fromkeys(text.split(",")))
+    for name in names:
+        if name not in SAVINGS:
+            raise argparse.ArgumentTypeError(f"{name!r} is not allowed, expected some of {', '.join(SAVINGS)}")
+    return names
 
 
 def peers(text):

@@ -4,9 +4,10 @@ import sys
 import traceback
 
 from kalos import __version__, ranks
-from kalos.arguments import COUNT, PEERS, RELATIVE, SEED, THREADS, TIME, Parser, length, methods, peers, quantity, sweep
+from kalos.arguments import (COUNT, FLOOR, PEERS, RELATIVE, SEED, THREADS, TIME, Parser, length, methods, peers, quantity,
+                             savings, sweep)
 from kalos.errors import FAILED, KalosError
-from kalos.estimator import DEFAULT_METHOD, METHODS, REFERENCE_TRAJECTORIES, Options
+from kalos.estimator import DEFAULT_METHOD, METHODS, REFERENCE_TRAJECTORIES, SAVINGS, Options
 
 EDGE_LENGTH = quantity(float, "a length > 0, in metres", lambda x: x > 0)
 
@@ -24,6 +25,8 @@ def parser():
     solve.add_argument("--checkpoint", metavar="FILE",
                        help="keep the solve in FILE, FILE.CAMERA for cameras, every 10 s and when it is stopped; the same command "
                             "goes on from there to the same numbers, and takes the files away when it is done (none)")
+    solve.add_argument("--without", metavar="a,b,...", type=savings,
+                       help=f"do without some of {', '.join(SAVINGS)}, to measure what they save; no mean moves (none)")
     solve.add_argument("--no-prepare", action="store_false", dest="prepare",
                        help="take the surfaces as they are: neither repair them nor look for singular edges")
     solve.add_argument("--report", action="store_true",
@@ -103,7 +106,9 @@ def add_chart_options(command):
 def add_goals(command):
     add = command.add_argument
     add("--error", metavar="E", type=RELATIVE,
-        help="stop when every 95 %% half-width is within E of its value (off)")
+        help="stop when every 95 %% half-width is within E of its value, or below the floor (off)")
+    add("--error-floor", metavar="LX", type=FLOOR,
+        help="half-width that is small enough for any value, lx (auto: E of a hundredth of the mean)")
     add("--time", metavar="SECONDS", type=TIME, help="stop each solve after so many seconds (off)")
 
 

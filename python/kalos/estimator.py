@@ -18,6 +18,10 @@ METHODS = {"compensated": 5, "gathered": 6, "local": 0, "sphere-published": 1, "
            "direct": 7}
 
 
+# What vtkKalosIlluminance::Without switches off; none moves a mean.
+SAVINGS = ("stratified", "picked", "convex", "near", "exact-direct")
+
+
 @dataclass(frozen=True)
 class Options:
     """What the command's options say; None means automatic or off."""
@@ -27,9 +31,11 @@ class Options:
     delta: float = None  # m
     epsilon: float = None  # m
     error: float = None  # goal: relative 95 % half-width at every receiver
+    error_floor: float = None  # lx, half-width that is small enough for any value; automatic: for a hundredth of the mean
     time: float = None  # goal: s
     seed: int = 1
     threads: int = 0  # 0 for all
+    without: tuple = ()  # names of SAVINGS
     checkpoint: str = None  # file that the solve is kept in
 
     def of_camera(self, name):
@@ -43,6 +49,8 @@ class Options:
         estimator.SetDelta(self.delta or 0)
         estimator.SetEpsilon(self.epsilon or 0)
         estimator.SetRelativeError(self.error or 0)
+        estimator.SetErrorFloor(-1 if self.error_floor is None else self.error_floor)
+        estimator.SetWithout(",".join(self.without))
         estimator.SetSeconds(self.time or 0)
         estimator.SetSeed(self.seed)
         estimator.SetThreads(self.threads)

@@ -28,6 +28,7 @@ class Receivers:
     trusted: np.ndarray  # bool: whether the standard error can be believed
     weights: np.ndarray  # areas of the cells, m2, or ones: what a mean over the set weighs by
     replicates: Optional[np.ndarray] = None  # (n, replicates) lx: independent estimates, of which illuminance is the mean
+    goal: np.ndarray = None  # what summary.goal() counts; only where a goal for the error was set
 
     @property
     def cells(self):
@@ -54,7 +55,9 @@ def from_dataset(name, dataset):
     if replicates:  # they are for figures, too many to write
         replicates = vtk_to_numpy(replicates).reshape(len(points), -1)
         data.RemoveArray(arrays.ILLUMINANCE_REPLICATES)
-    return Receivers(name, dataset, points, vtk_to_numpy(data.GetNormals()).astype(float), *read, trusted, weights, replicates)
+    goal = vtk_to_numpy(data.GetArray(arrays.GOAL_STATUS)) if data.HasArray(arrays.GOAL_STATUS) else None
+    return Receivers(name, dataset, points, vtk_to_numpy(data.GetNormals()).astype(float), *read, trusted, weights, replicates,
+                     goal)
 
 
 def point_receivers(points, normals):

@@ -174,7 +174,8 @@ def summarise(scene, options, receivers, images, outputs):
     labels = ["receivers"] * bool(receivers) + [f"camera {name}" for name in images]
     audit = figures.joined_audit(dict(zip(labels, map(figures.audit, outputs))))
     sets = {r.name: {**figures.statistics(r.illuminance, r.standard_error, r.weights, r.replicates),
-                     "untrusted": int((~r.trusted).sum()), "trajectories": figures.trajectories(outputs[0])}
+                     "untrusted": int((~r.trusted).sum()), "trajectories": figures.trajectories(outputs[0]),
+                     **({} if r.goal is None else {"goal": figures.goal(r.goal)})}
             for r in receivers}
     cameras = {name: {**figures.image_statistics(image), "trajectories": figures.trajectories(image)}
                for name, image in images.items()}

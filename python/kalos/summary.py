@@ -48,6 +48,17 @@ def ratio_error(part, whole, value):
     return error_of((part - part.mean() / value * whole) / value)
 
 
+MISSED, WITHIN_ERROR, BELOW_FLOOR = range(3)  # as kalos::GoalStatus
+NAMED = 100  # receivers that missed the goal and are named
+
+
+def goal(status):
+    """How many receivers reached the goal of the error, and which, in the table's order from 0, did not."""
+    missed = np.flatnonzero(status == MISSED)
+    return {"within_error": int((status == WITHIN_ERROR).sum()), "below_floor": int((status == BELOW_FLOOR).sum()),
+            "missed": len(missed), "missed_receivers": missed[:NAMED].tolist()}
+
+
 def field_value(output, name):
     """The number in a field data array of a data object."""
     array = output.GetFieldData().GetArray(name)
@@ -119,6 +130,9 @@ def result_text(summary):
                              str(figures["sources"])] for name, figures in summary["observers"].items())])
     if any(figures["untrusted"] for figures in summary["receivers"].values()):
         lines.append("  untrusted: receivers whose standard error can not be believed, as single scores carry the estimate")
+    for name, figures in summary["receivers"].items():
+        if figures.get("goal", {}).get("missed"):
+            lines.append(f"  {figures['goal']['missed']} receivers of {name} missed the error asked for; the audit says why")
     return "\n".join(lines)
 
 

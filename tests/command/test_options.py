@@ -3,7 +3,7 @@
 import pytest
 from conftest import launch, one_line
 
-from kalos.estimator import METHODS
+from kalos.estimator import METHODS, SAVINGS
 
 COUNT = "expected a whole number from 1 to 9223372036854775807"
 LENGTH = "expected auto, or a length > 0 in metres"
@@ -15,6 +15,8 @@ BAD = [
     ("--epsilon", "wide", LENGTH), ("--epsilon", "-0.1", LENGTH), ("--epsilon", "0", LENGTH), ("--epsilon", "nan", LENGTH),
     ("--error", "0", "expected a relative error > 0 and < 1, such as 0.01"),
     ("--error", "1", "expected a relative error > 0 and < 1, such as 0.01"),
+    ("--error-floor", "-1", "expected a half-width of 0 lx or more"),
+    ("--without", "picked,walls", f"expected some of {', '.join(SAVINGS)}"),
     ("--time", "-1", "expected a time > 0, in seconds"),
     ("--seed", "-1", "expected a whole number from 0 to 2147483647"),
     ("--threads", "many", "expected a whole number from 0 (all) to 1024"),
@@ -25,7 +27,8 @@ BAD = [
 def test_bad_value(scene, command, tmp_path, option, value, expected):
     status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", option, value)
     assert status == 2
-    assert one_line(error) == f"{option}: '{value}' is not allowed, {expected}; kalos solve --help tells more"
+    wrong = value.rpartition(",")[2]
+    assert one_line(error) == f"{option}: '{wrong}' is not allowed, {expected}; kalos solve --help tells more"
     assert not (tmp_path / "out").exists()
 
 

@@ -196,3 +196,31 @@ def test_command_of_the_build_tree(scene, tmp_path):
     out, error = process.communicate(timeout=60)
     assert process.returncode == 0, error
     assert "  out/desk.png\n" in out and (tmp_path / "out" / "desk.png").is_file()
+
+
+def test_goal_is_judged(scene, command, tmp_path):
+    """Every receiver is told to have reached the error, to be dim, or to have missed it, and the audit says why."""
+    path = scene.save()
+    for name, more, says in (("reached", ["--error-floor", 1e4], "95 % half-widths"), ("missed", [], "all trajectories allowed")):
+        out = tmp_path / name
+        status, told, error = command("solve", path, "--out", out, "--error", 1e-4, "--trajectories", 640, *more)
+        assert status == 0, error
+        summary = json.loads((out / "summary.json").read_text())
+        goal = summary["receivers"]["desk"]["goal"]
+        counts = (goal["within_error"], goal["below_floor"], goal["missed"], goal["missed_receivers"])
+        assert counts == ((0, 8, 0, []) if name == "reached" else (0, 0, 8, list(range(8))))
+        (entry,) = [entry for entry in summary["audit"] if entry["subject"] == "error" and "missed" in entry["choice"]][:1]
+        assert entry["reason"].startswith(says)
+        assert ("8 receivers of desk missed the error" in told) == (name == "missed")
+
+
+def test_savings_can_be_done_without(scene, command, tmp_path):
+    tables = []
+    for i, more in enumerate(([], ["--without", "stratified,picked"])):
+        status, _, error = command("solve", scene.save(), "--out", tmp_path / f"out{i}", "--trajectories", 3200, *more)
+        assert status == 0, error
+        tables.append(read_csv(tmp_path / f"out{i}" / "desk.csv"))
+    a, b = (table[:, 6] for table in tables)
+    assert (a != b).all()
+    # Independent seeds of noise: 8 receivers within 5 standard errors, false alarm 5e-6.
+    assert (abs(a - b) < 5 * np.hypot(*(table[:, 7] for table in tables))).all()

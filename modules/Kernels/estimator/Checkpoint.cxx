@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "estimator/Savings.h"
 #include "scene/Fingerprint.h"
 
 namespace kalos
@@ -78,12 +79,13 @@ Identity identify(const Scene& scene, const Receivers& receivers, const Settings
           {"method", std::to_string(static_cast<int>(s.method))},
           {"trajectories", std::to_string(s.trajectories)},
           {"error", digits(s.relativeError)},
+          {"error floor", digits(s.errorFloor)},
           {"time", digits(s.seconds)},
           {"seed", std::to_string(s.seed)},
           {"sampling", std::to_string(static_cast<int>(s.sampling))},
           {"delta", digits(s.delta)},
           {"epsilon", digits(s.epsilon)},
-          {"gather everywhere", std::to_string(s.gatherEverywhere)},
+          {"without", savingsWithout(s)},
           {"intermediate results", std::to_string(shown)}};
 }
 

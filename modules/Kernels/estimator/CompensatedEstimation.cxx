@@ -5,7 +5,7 @@ namespace kalos
 {
 CompensatedEstimation::CompensatedEstimation(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Source(scene),
-      Direct(scene, receivers, settings.walks()),
+      Direct(scene, receivers, settings),
       Light(scene, this->Source, settings, this->Direct.shadows()),
       EdgeDistances(receivers.edgeDistances)
 {

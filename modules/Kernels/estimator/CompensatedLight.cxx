@@ -39,7 +39,7 @@ CompensatedLight::CompensatedLight(const Scene& scene, const Emission& emission,
       Source(emission),
       Wanted(settings),
       Shadows(shadows),
-      Rays(scene, emission, settings.walks(), shadows),
+      Rays(scene, emission, settings, shadows),
       Clearance(settings.gatherEverywhere || !isDiffuse(scene) ? std::numeric_limits<double>::infinity()
                                                                : clearance * std::sqrt(scene.surfaceArea()))
 {
@@ -108,7 +108,8 @@ void CompensatedLight::scoreVertices(const Sensor& sensor, std::size_t r, int re
     for (std::size_t begin = 0; begin < set.size(); begin += VertexTile::capacity)
     {
       const auto count = static_cast<int>(std::min<std::size_t>(VertexTile::capacity, set.size() - begin));
-      const ShadowPicks shadows{rays, (count + verticesPerPick - 1) / verticesPerPick, random.next()};
+      const int picks = this->Wanted.shadowEveryPair ? 0 : (count + verticesPerPick - 1) / verticesPerPick;
+      const ShadowPicks shadows{rays, picks, random.next()};
       tally.noteScore(r, replicate, addPickedScores(set, begin, count, sensor, share, shadows, sum));
     }
   };

@@ -22,15 +22,23 @@ std::vector<Vec3> inScene(const Scene& scene, const std::vector<Vec3>& points)
     moved.push_back(p - scene.origin());
   return moved;
 }
+
+Audit auditFor(const Scene& scene, const Receivers& receivers, const Settings& settings)
+{
+  Audit found = auditScene(scene, inScene(scene, receivers.points));
+  found.unoccluded = found.unoccluded && !settings.shadowConvexRooms;
+  return found;
+}
 }  // namespace
 
-DirectPart::DirectPart(const Scene& scene, const Receivers& receivers, const Walks& walks)
+DirectPart::DirectPart(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Lit(scene),
-      Drawn(walks),
-      Found(auditScene(scene, inScene(scene, receivers.points))),
-      ClosedForms(this->Found.emittingTriangles <= largestExact &&
+      Drawn(settings.walks()),
+      Sampled(settings.sampleDirect),
+      Found(auditFor(scene, receivers, settings)),
+      ClosedForms(!this->Sampled && this->Found.emittingTriangles <= largestExact &&
                   this->Found.emittingTriangles * receivers.points.size() <= largestViews),
-      Direct(scene, this->ClosedForms, this->shadows()),
+      Direct(scene, this->ClosedForms, this->shadows() || this->Sampled),
       Luminaires(scene, false, this->shadows()),
       Mirrored(scene)
 {
@@ -71,7 +79,9 @@ bool DirectPart::prepare(Workers& workers, Tally& tally)
 
 void DirectPart::measureVisibility(std::size_t r)
 {
-  if (!this->Direct.fluctuates())
+  if (this->Sampled)
+    this->Views[r].visibleShare = 0;
+  if (this->Sampled || !this->Direct.fluctuates())
     return;
   constexpr int pilot = 16, pilotReplicate = 1 << 20;  // no estimate uses it
   const Walks walks = this->Drawn.ofReceiver(r);

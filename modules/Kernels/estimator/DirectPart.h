@@ -14,7 +14,7 @@ namespace kalos
 class DirectPart
 {
 public:
-  DirectPart(const Scene& scene, const Receivers& receivers, const Walks& walks);
+  DirectPart(const Scene& scene, const Receivers& receivers, const Settings& settings);
 
   const std::vector<Sensor>& sensors() const { return this->Sensors; }
   bool shadows() const { return !this->Found.unoccluded; }
@@ -45,6 +45,7 @@ private:
 
   const Scene& Lit;
   Walks Drawn;
+  bool Sampled;  // no closed forms of areas
   Audit Found;
   bool ClosedForms;
   DirectLight Direct;      // luminaires, and meshes where closed forms serve

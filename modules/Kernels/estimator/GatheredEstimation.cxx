@@ -36,7 +36,7 @@ GatheredEstimation::GatheredEstimation(const Scene& scene, const Receivers& rece
     : Lit(scene),
       Wanted(settings),
       Source(scene),
-      Direct(scene, receivers, settings.walks()),
+      Direct(scene, receivers, settings),
       Light(scene, this->Source, ofCache(settings), this->Direct.shadows())
 {
 }

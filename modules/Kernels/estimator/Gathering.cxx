@@ -5,8 +5,13 @@
 
 namespace kalos
 {
-Gathering::Gathering(const Scene& scene, const Emission& emission, const Walks& walks, bool shadows)
-    : Lit(scene), Density(scene, emission, walks), Shadows(shadows), Luminaires(scene, false, shadows), Mirrored(scene)
+Gathering::Gathering(const Scene& scene, const Emission& emission, const Settings& settings, bool shadows)
+    : Lit(scene),
+      Density(scene, emission, settings.walks()),
+      Shadows(shadows),
+      Picks(settings.shadowEveryPair ? 0 : 1),
+      Luminaires(scene, false, shadows),
+      Mirrored(scene)
 {
 }
 
@@ -165,7 +170,7 @@ void Gathering::scoreBlock(const Sensor& sensor, const VertexSet& set, double sh
   const double weight = static_cast<double>(set.size()) / static_cast<double>(size);
   Bands scores{};
   auto score = [&](std::size_t from, std::size_t count) {
-    const ShadowPicks shadows{this->Shadows ? &this->Lit.rays() : nullptr, 1, random.next()};
+    const ShadowPicks shadows{this->Shadows ? &this->Lit.rays() : nullptr, this->Picks, random.next()};
     addPickedScores(set, from, static_cast<int>(count), sensor, share, shadows, scores.data());
   };
   score(begin, straight);

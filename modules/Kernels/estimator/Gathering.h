@@ -7,6 +7,7 @@
 #include "estimator/MirrorImages.h"
 #include "estimator/PickedScores.h"
 #include "estimator/Pilot.h"
+#include "estimator/Settings.h"
 
 namespace kalos
 {
@@ -20,7 +21,7 @@ struct GatherPool
 class Gathering
 {
 public:
-  Gathering(const Scene& scene, const Emission& emission, const Walks& walks, bool shadows);
+  Gathering(const Scene& scene, const Emission& emission, const Settings& settings, bool shadows);
 
   const Pilot& pilot() const { return this->Density; }
 
@@ -58,6 +59,7 @@ private:
   const Scene& Lit;
   Pilot Density;
   bool Shadows;
+  int Picks;  // shadow rays to a block; 0: to every pair
   DirectLight Luminaires;
   MirrorImages Mirrored;
 };

@@ -19,7 +19,7 @@ LocalEstimation::LocalEstimation(const Scene& scene, const Receivers& receivers,
     : Lit(scene),
       Wanted(settings),
       Source(scene),
-      Direct(scene, receivers, settings.walks()),
+      Direct(scene, receivers, settings),
       CollisionsPerArea(Pilot(scene, this->Source, settings.walks()).typical()),
       Alteration(makeAlteration(scene, receivers, settings, this->CollisionsPerArea * plannedTrajectories(settings)))
 {

@@ -15,6 +15,20 @@ struct Picks
   int times[ShadowPicks::mostPicks];
 };
 
+// The first vertex of a lane where the sum along the lane is beyond the threshold; there is one. By bisection without
+// branches, which no processor could foretell.
+int firstBeyond(const TileScores& scores, int lane, double threshold)
+{
+  int length = scores.count / lanes, first = lane;
+  while (length > 1)
+  {
+    const int half = length / 2;
+    first += static_cast<double>(scores.reached[first + (half - 1) * lanes]) <= threshold ? half * lanes : 0;
+    length -= half;
+  }
+  return first;
+}
+
 // Where the cumulative score, lane after lane, passes (k + u) total/picks, k = 0 .. picks-1.
 Picks pickSystematically(const TileScores& scores, double total, const ShadowPicks& shadows)
 {
@@ -22,21 +36,22 @@ Picks pickSystematically(const TileScores& scores, double total, const ShadowPic
   Picks found;
   int k = 0;
   double before = 0, next = shadows.u * step;
-  for (int lane = 0; lane < lanes && k < shadows.picks; ++lane)
+  for (int lane = 0; lane < lanes; ++lane)
   {
-    const double end = before + static_cast<double>(scores.laneSum(lane));
-    for (int i = lane; next < end && k < shadows.picks; i += lanes)
+    const double sum = static_cast<double>(scores.laneSum(lane));
+    while (k < shadows.picks && next - before < sum)
     {
-      while (before + static_cast<double>(scores.reached[i]) <= next)
-        i += lanes;
+      const int i = firstBeyond(scores, lane, next - before);
       found.index[found.count] = i;
       found.times[found.count] = 0;
-      for (; k < shadows.picks && next < before + static_cast<double>(scores.reached[i]);
-           next = (++k + shadows.u) * step)
+      do
+      {
         ++found.times[found.count];
+        next = (++k + shadows.u) * step;
+      } while (k < shadows.picks && next - before < static_cast<double>(scores.reached[i]));
       ++found.count;
     }
-    before = end;
+    before += sum;
   }
   return found;
 }
@@ -66,7 +81,7 @@ std::uint64_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sen
 double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block, const ShadowPicks& shadows,
                       double* sum)
 {
-  if (!shadows.rays || block.count <= shadows.picks)
+  if (!shadows.rays || shadows.picks == 0 || block.count <= shadows.picks)
   {
     if (shadows.rays)
       keepVisible(*shadows.rays, v, sensor, block);
@@ -105,7 +120,7 @@ double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block
 double addPickedScores(const VertexSet& v, std::size_t begin, int count, const Sensor& sensor, double share,
                        const ShadowPicks& shadows, double* sum)
 {
-  if (v.isGlossy() || sensor.brdf)
+  if (v.isGlossy() || sensor.brdf || shadows.picks == 0)
   {
     PairBlock block;
     formPairs(v, begin, count, sensor, share, block);

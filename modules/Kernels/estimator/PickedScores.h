@@ -8,7 +8,8 @@
 namespace kalos
 {
 /// How shadow rays are spent on a tile: `rays` null where nothing can occlude, else at most `picks` (1..mostPicks) of
-/// them go to pairs picked in proportion to their luminous scores, systematically from one random number u in [0,1).
+/// them go to pairs picked in proportion to their luminous scores, systematically from one random number u in [0,1);
+/// one to every pair that scores where picks = 0.
 struct ShadowPicks
 {
   static constexpr int mostPicks = 4 * SegmentPacket::width;

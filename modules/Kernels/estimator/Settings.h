@@ -33,14 +33,20 @@ struct Settings
   Method method = Method::Compensated;
   long long trajectories = 0;  ///< upper limit over all replicates; 0: no limit with a goal below, else 10 000
   double relativeError = 0;    ///< goal: 95 % half-width over value at every receiver; 0: no such goal
+  double errorFloor = -1;      ///< lx, half-width that is small enough for any value; < 0: automatic, estimator/Goal.h
   double seconds = 0;          ///< goal: stop after this time; 0: no such goal
   std::uint64_t seed = 1;
   Sampling sampling = Sampling::Sobol;  ///< of trajectories, shadow and gather rays
   int threads = 0;                      ///< 0: all processors
   double delta = 0;                     ///< m, distance below which the sphere methods average; <= 0: automatic
-  bool gatherEverywhere = false;        ///< `compensated` sends gather rays where nothing is near, too; moves no mean
   bool keepReplicates = false;          ///< fill Result::replicateIlluminance
   double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; 0: automatic
+
+  // Savings switched off, estimator/Savings.h; none moves a mean.
+  bool gatherEverywhere = false;   ///< gather rays where nothing is near, too
+  bool shadowEveryPair = false;    ///< a shadow ray for every pair that scores
+  bool shadowConvexRooms = false;  ///< shadow rays where nothing can occlude
+  bool sampleDirect = false;       ///< area emitters are sampled, not known in closed form
 
   const Ranks* ranks = nullptr;  ///< processes that share the solve; null: this one alone
 
@@ -88,6 +94,8 @@ struct Result
   std::vector<double> largestScoreShare;     ///< largest single score over the sum of all, [0, 1]
   std::vector<char> trusted;                 ///< 1 where the standard error can be believed; rule in estimator/Trust.h
   std::vector<double> gatherRays;            ///< sent from each receiver by `compensated`; empty for other methods
+  std::vector<char> goal;  ///< a GoalStatus each (estimator/Goal.h); empty without a goal for the error
+  double errorFloor = 0;   ///< lx, by which that was judged
   long long trajectories = 0;
   long long rays = 0;  ///< traced by the solve; those of other solves of the process at the same time are in it
   int replicates = 0;

@@ -3,10 +3,12 @@
 
 #include <ctime>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 #include "estimator/Checkpoint.h"
 #include "estimator/Estimator.h"
+#include "estimator/Goal.h"
 #include "estimator/KernelAlteration.h"
 #include "estimator/Trust.h"
 #include "scene/RayCount.h"
@@ -29,6 +31,7 @@ void check(const Receivers& receivers, const Settings& s)
   };
   require(s.trajectories >= 0, "trajectories: must be 0 (automatic) or more");
   require(s.relativeError >= 0 && s.relativeError < 1, "error: must lie in [0, 1)");
+  require(std::isfinite(s.errorFloor), "error_floor: must be a half-width in lux, or negative (automatic)");
   require(s.seconds >= 0 && std::isfinite(s.seconds), "time: must be 0 (no limit) or more seconds");
   require(s.threads >= 0, "threads: must be 0 (all) or more");
   require(receivers.points.size() == receivers.normals.size(), "receivers: one normal per point is expected");
@@ -51,7 +54,7 @@ public:
         LargestRound(
             static_cast<int>(std::clamp(largestWork / (static_cast<double>(tally.receivers()) * tally.replicates() + 1),
                                         static_cast<double>(smallestRound), static_cast<double>(largestRound)))),
-        Quantile(studentQuantile(0.95, tally.replicates() - 1))
+        Wished(settings, tally.replicates())
   {
   }
 
@@ -68,11 +71,12 @@ public:
       if (this->Wanted.relativeError > 0 && done >= firstRound)
       {
         // The variance falls as 1/n: aim a little beyond the goal, so that one more round mostly suffices.
-        const double ratio = this->largestRelativeHalfWidth(done, tally) / this->Wanted.relativeError;
+        const double ratio = this->Wished.distance(tally, done);
         if (ratio <= 1)
           return 0;
         this->Fraction = std::max(this->Fraction, 1 / (ratio * ratio));
-        target = std::min(target, static_cast<long long>(1.1 * ratio * ratio * static_cast<double>(done)) + 1);
+        const double aim = 1.1 * ratio * ratio * static_cast<double>(done);
+        target = std::min(target, static_cast<long long>(std::min(aim, static_cast<double>(unlimited))) + 1);
       }
       if (this->Wanted.seconds > 0)
       {
@@ -89,29 +93,20 @@ public:
   }
 
   double fraction() const { return std::min(1.0, this->Fraction); }
+  const Goal& goal() const { return this->Wished; }
 
 private:
-  double largestRelativeHalfWidth(long long done, const Tally& tally) const
-  {
-    double largest = 0;
-    for (std::size_t r = 0; r < tally.receivers(); ++r)
-    {
-      const MeanAndError m = tally.summary(r, done);
-      if (m.standardError > 0)
-        largest = std::max(largest, this->Quantile * m.standardError / std::abs(m.mean));
-    }
-    return largest;
-  }
-
   Settings Wanted;
   bool Shown;
   long long Limit;
   int LargestRound;
-  double Quantile, Fraction = 0;
+  Goal Wished;
+  double Fraction = 0;
 };
 
 // Fills the result from `done` complete trajectories of every replicate.
-void conclude(const Tally& tally, long long done, const Estimator& estimator, bool keepReplicates, Result& result)
+void conclude(const Tally& tally, long long done, const Estimator& estimator, const Goal& goal, bool keepReplicates,
+              Result& result)
 {
   tally.write(done, result);
   result.trajectories = done * tally.replicates();
@@ -127,6 +122,25 @@ void conclude(const Tally& tally, long long done, const Estimator& estimator, bo
     result.trusted.push_back(tailIsLight(result.largestScoreShare[r], tally.largestStandsOut(r),
                                          {result.illuminance[r], result.standardError[r]}) &&
                              estimator.trusts(r, result.trajectories));
+  goal.judge(result);
+}
+
+AuditLine auditGoal(const Settings& settings, const Result& result)
+{
+  const auto count = [&](GoalStatus status) {
+    return std::count(result.goal.begin(), result.goal.end(), static_cast<char>(status));
+  };
+  const auto missed = count(GoalStatus::Missed);
+  std::ostringstream choice;
+  choice << 100 * settings.relativeError << " % at " << count(GoalStatus::WithinError) << ", below "
+         << result.errorFloor << " lx at " << count(GoalStatus::BelowFloor) << ", missed at " << missed << " of "
+         << result.goal.size() << " receivers";
+  const bool usedUp = settings.trajectories > 0 && result.trajectories >= settings.trajectories;
+  return {"error", choice.str(),
+          missed == 0      ? "95 % half-widths, relative to the values or absolute"
+          : result.aborted ? "stopped from outside before"
+          : usedUp         ? "all trajectories allowed were used before"
+                           : "the time was up before"};
 }
 
 double secondsSince(std::chrono::steady_clock::time_point start)
@@ -169,7 +183,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
     checkpoint.resume(identify(scene, receivers, settings, static_cast<bool>(snapshot)), before, tally, *estimator);
   long long done = before.trajectories;
   if (done > 0)
-    conclude(tally, done, *estimator, settings.keepReplicates, result);
+    conclude(tally, done, *estimator, schedule.goal(), settings.keepReplicates, result);
   while (running)
   {
     clock();
@@ -184,7 +198,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
     {
       tally.exchange(ranks);
       estimator->exchange(ranks);
-      conclude(tally, done += count, *estimator, settings.keepReplicates, result);
+      conclude(tally, done += count, *estimator, schedule.goal(), settings.keepReplicates, result);
       clock();
       checkpoint.keep({done, result.seconds, result.cpuSeconds, result.rays}, tally, *estimator);
     }
@@ -202,6 +216,8 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   result.cpuSeconds = ranks.sum(result.cpuSeconds);
   result.rays = static_cast<decltype(result.rays)>(ranks.sum(static_cast<double>(result.rays)));
   result.audit = estimator->audit();
+  if (!result.goal.empty())
+    result.audit.push_back(auditGoal(settings, result));
   if (ranks.size() > 1)
     result.audit.push_back({"ranks", std::to_string(ranks.size()) + " processes",
                             std::to_string(replicates) + " replicates are shared out, scene and receivers replicated"});

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What makes a solve cheaper without moving its mean, each with a name by which it can be switched off:
+//   stratified     walks stratified by Sobol' points (sampling/SampleStream.h); without: independent numbers
+//   picked         shadow rays to vertices picked by their unshadowed scores; without: one to every pair that scores
+//   convex         no shadow rays where the audit shows that nothing can occlude
+//   near           gather rays only at receivers with a surface near in front
+//   exact-direct   area emitters by Lambert's polygon formula, only what hides them sampled; without: all sampled, and
+//                  emitting meshes by the starts of trajectories
+#ifndef kalos_estimator_Savings_h
+#define kalos_estimator_Savings_h
+
+#include <string>
+
+#include "estimator/Settings.h"
+
+namespace kalos
+{
+/// Switches off the savings of these names, separated by commas. Throws std::invalid_argument for a name that is none.
+void switchOff(const std::string& names, Settings& settings);
+
+/// The names of the savings that are switched off, separated by commas.
+std::string savingsWithout(const Settings& settings);
+}  // namespace kalos
+
+#endif
