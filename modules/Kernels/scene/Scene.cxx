@@ -189,12 +189,16 @@ Vec3 Scene::settle(const Vec3& p, const Vec3& n) const
 
 bool Scene::clear(const Vec3& p, const Vec3& n, double radius) const
 {
+  constexpr int enough = 2000;  // triangles to look at: a fine mesh behind the sensor must not cost more than rays do
   const double touch = 4 * length(this->offset(p, n) - p);  // what reaches no higher is of the sensor's own surface
   const double limit = rightAngle / (radius * radius);
   bool clear = true;
+  int seen = 0;
   this->Rays.nearby(p, radius, [&](std::uint32_t t) {
     const Vec3 corners[3] = {this->corner(t, 0), this->corner(t, 1), this->corner(t, 2)};
-    if (std::none_of(corners, corners + 3, [&](const Vec3& c) { return dot(c - p, n) > touch; }))
+    if (++seen > enough)
+      clear = false;
+    if (!clear || std::none_of(corners, corners + 3, [&](const Vec3& c) { return dot(c - p, n) > touch; }))
       return clear;
     const Vec3& side = this->Normals[t];
     const double squared = squaredDistance(p, corners, side), over = dot(p - corners[0], side);

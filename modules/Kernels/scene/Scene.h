@@ -84,7 +84,7 @@ public:
   /// Whether every surface on the side of the unit normal n of the sensor at p is `radius` away, or has nowhere a
   /// larger kernel with it than a wall at right angles which is: pi G <= sqrt(27)/16 / radius^2. So a wall that leans
   /// away is clear at less. Never true by mistake; may be false where a surface that reaches to that side is so near on
-  /// the other.
+  /// the other, or where thousands of triangles are so near.
   bool clear(const Vec3& p, const Vec3& n, double radius) const;
 
 private:
