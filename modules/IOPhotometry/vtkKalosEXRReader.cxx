@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "image/ExrHeader.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -49,6 +50,12 @@ void CheckFile(const char* path)
   if (!Imf::isOpenExrFile(path))
   {
     throw Problem("file: not an OpenEXR image; expected one");
+  }
+  const std::string problem =
+      kalos::CheckExrHeader(path, static_cast<double>(vtkKalosEXRReader::MaximumNumberOfPixels()));
+  if (!problem.empty())
+  {
+    throw Problem("header: " + problem);
   }
 }
 

@@ -14,8 +14,9 @@
  * All values are multiplied by the header's whiteLuminance, if it has one: files by other programs may count in units
  * of it. Channels of any type are read as float32. Values are passed on as they are: no clamp.
  *
- * Errors: a file that is missing, no OpenEXR image, truncated or damaged, without those channels (subsampled ones
- * included), or with more than MaximumNumberOfPixels() pixels gives an error event and an empty output.
+ * Errors: a file that is missing, no OpenEXR image, truncated or damaged, too small for its pixels, without those
+ * channels (subsampled ones included), or with more than MaximumNumberOfPixels() pixels gives an error event and an
+ * empty output.
  */
 #ifndef vtkKalosEXRReader_h
 #define vtkKalosEXRReader_h

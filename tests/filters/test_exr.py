@@ -124,7 +124,7 @@ def test_reader_mistakes(tmp_path):
     (tmp_path / "a.exr").write_bytes(b"\x89PNG" * 100)
     assert read_error(tmp_path / "a.exr") == "FILE: file: not an OpenEXR image; expected one"
     (tmp_path / "a.exr").write_bytes(b"\x76\x2f\x31\x01" + b"\x02\0\0\0garbage" * 10)
-    assert read_error(tmp_path / "a.exr") == "FILE: file: damaged or truncated; expected a complete OpenEXR image"
+    assert read_error(tmp_path / "a.exr") == "FILE: header: an attribute ends beyond the file; expected a complete OpenEXR image"
 
 
 def test_truncated_files(tmp_path):
@@ -133,7 +133,8 @@ def test_truncated_files(tmp_path):
     content = (tmp_path / "a.exr").read_bytes()
     for length in (100, len(content) // 3, len(content) // 2, len(content) - 1):
         (tmp_path / "b.exr").write_bytes(content[:length])
-        assert read_error(tmp_path / "b.exr") == "FILE: file: damaged or truncated; expected a complete OpenEXR image"
+        what = "header: an attribute ends beyond the file" if length == 100 else "file: damaged or truncated"
+        assert read_error(tmp_path / "b.exr") == f"FILE: {what}; expected a complete OpenEXR image"
 
 
 def patched(tmp_path, old, new):
@@ -142,6 +143,13 @@ def patched(tmp_path, old, new):
     assert old in content
     (tmp_path / "a.exr").write_bytes(content.replace(old, new))
     return tmp_path / "a.exr"
+
+
+@pytest.mark.parametrize("old, new, message", [
+    (b"whiteLuminance\0float\0\4\0\0\0", b"whiteLuminance\0float\0\4\0\0\x66", "header: an attribute ends beyond the file"),
+    (struct.pack("<4i", 0, 0, 2, 1), struct.pack("<4i", 0, 0, 9999999, 1), "header: more pixels than the file can hold")])
+def test_a_small_file_that_asks_for_much(tmp_path, old, new, message):
+    assert read_error(patched(tmp_path, old, new)).startswith("FILE: " + message + "; expected a complete OpenEXR image")
 
 
 def test_too_large_a_window(tmp_path):

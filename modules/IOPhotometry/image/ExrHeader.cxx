@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ExrHeader.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+
+namespace kalos
+{
+namespace
+{
+constexpr double MostPixelsPerByte = 16384.0;  // black images of the tightest compression stay below
+constexpr double LinesAtOnce = 32.0;           // OpenEXR makes room for such a block whatever the height
+constexpr double MostTilePixels = 1 << 24;
+constexpr std::uint32_t MultiPart = 0x1000;
+
+std::uint32_t ReadWord(std::istream& file)
+{
+  unsigned char bytes[4] = {0, 0, 0, 0};
+  file.read(reinterpret_cast<char*>(bytes), 4);
+  return bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24;
+}
+/** The difference of two signed coordinates and 1, as the sides of a window count. */
+double Side(std::uint32_t low, std::uint32_t high)
+{
+  return static_cast<double>(static_cast<std::int32_t>(high)) - static_cast<std::int32_t>(low) + 1.0;
+}
+
+/** Reads the value of an attribute that sizes memory; empty if the size is good. */
+std::string CheckSize(const std::string& name, std::istream& file, double mostPixels, double fileBytes)
+{
+  if (name == "dataWindow")
+  {
+    const std::uint32_t x0 = ReadWord(file), y0 = ReadWord(file), x1 = ReadWord(file), y1 = ReadWord(file);
+    const double width = Side(x0, x1), height = Side(y0, y1);
+    if (!(width >= 1.0 && height >= 1.0 && width * height <= mostPixels))
+    {
+      return "the data window is empty or too large; expected 1 to " +
+             std::to_string(static_cast<long long>(mostPixels)) + " pixels";
+    }
+    if (width * std::max(height, LinesAtOnce) > MostPixelsPerByte * fileBytes)
+    {
+      return "more pixels than the file can hold; expected a complete OpenEXR image";
+    }
+  }
+  if (name == "tiles")
+  {
+    const double width = ReadWord(file), height = ReadWord(file);
+    if (!(width >= 1.0 && height >= 1.0 && width * height <= MostTilePixels))
+    {
+      return "tiles that are empty or too large; expected 1 to " + std::to_string(static_cast<int>(MostTilePixels)) +
+             " pixels each";
+    }
+  }
+  return {};
+}
+}  // namespace
+
+std::string CheckExrHeader(const std::string& path, double mostPixels)
+{
+  std::error_code ignored;
+  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+  std::ifstream file(path, std::ios::binary);
+  ReadWord(file);
+  const bool several = (ReadWord(file) & MultiPart) != 0;
+  std::string name, type;
+  bool first = true;  // attribute of its header
+  bool windowed = false;
+  while (std::getline(file, name, '\0'))
+  {
+    if (name.empty())
+    {
+      if (!first && !windowed)
+      {
+        return "no data window; expected a complete OpenEXR image";
+      }
+      if (first || !several)
+      {
+        return {};
+      }
+      first = true;
+      windowed = false;
+      continue;
+    }
+    first = false;
+    windowed = windowed || name == "dataWindow";
+    std::getline(file, type, '\0');
+    const std::uint32_t bytes = ReadWord(file);
+    const auto here = static_cast<std::uintmax_t>(file ? static_cast<std::streamoff>(file.tellg()) : -1);
+    if (!file || bytes > size - here)
+    {
+      return "an attribute ends beyond the file; expected a complete OpenEXR image";
+    }
+    const auto next = file.tellg() + static_cast<std::streamoff>(bytes);
+    const std::string problem = CheckSize(name, file, mostPixels, static_cast<double>(size));
+    if (!problem.empty())
+    {
+      return problem;
+    }
+    file.clear();
+    file.seekg(next);
+  }
+  return "the file ends within it; expected a complete OpenEXR image";
+}
+
+}  // namespace kalos
