@@ -80,6 +80,8 @@ constexpr const char* Trajectories = "Trajectories";        ///< trajectories tr
 constexpr const char* Rays = "Rays";                        ///< rays traced by the solve
 constexpr const char* SolveSeconds = "SolveSeconds";        ///< s, wall clock of the solve, set-up apart
 constexpr const char* SolveCpuSeconds = "SolveCpuSeconds";  ///< s, processor time of the solve
+constexpr const char* KalosVersion = "KalosVersion";        ///< string, what made the result
+constexpr const char* Replay = "Replay";                    ///< vtkKalosIlluminance::ReplayReceiver, 5 components
 constexpr const char* Seed = "Seed";                        ///< seed of the random numbers
 }  // namespace vtkKalosArrayNames
 

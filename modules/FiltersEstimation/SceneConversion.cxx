@@ -17,6 +17,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkTriangleFilter.h"
 
 namespace
@@ -128,6 +129,11 @@ void AddSurfaces(vtkPolyData* input, kalos::SceneDescription& scene)
   for (vtkIdType i = 0; i < triangles->GetNumberOfPoints(); ++i)
     scene.points.push_back(ToVec3(triangles->GetPoint(i)));
 
+  vtkDataArray* surfaceIds = triangles->GetCellData()->GetArray(Names::SurfaceId);
+  auto* names = vtkStringArray::SafeDownCast(input->GetFieldData()->GetAbstractArray(Names::SurfaceNames));
+  for (vtkIdType i = 0; surfaceIds && names && i < names->GetNumberOfValues(); ++i)
+    scene.surfaceNames.push_back(names->GetValue(i));
+
   // Cells of equal properties share a material.
   std::map<MaterialKey, std::uint32_t> known;
   auto cells = vtk::TakeSmartPointer(triangles->GetPolys()->NewIterator());
@@ -143,6 +149,16 @@ void AddSurfaces(vtkPolyData* input, kalos::SceneDescription& scene)
     scene.triangles.push_back(
         {static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]), static_cast<std::uint32_t>(ids[2])});
     scene.triangleMaterial.push_back(found.first->second);
+    if (scene.surfaceNames.empty())
+      continue;
+    const double surface = surfaceIds->GetComponent(cells->GetCurrentCellId(), 0);
+    if (surface >= 0 && surface < static_cast<double>(scene.surfaceNames.size()))
+      scene.triangleSurface.push_back(static_cast<std::uint32_t>(surface));
+    else  // what has no name is told apart by materials, and all of it
+    {
+      scene.surfaceNames.clear();
+      scene.triangleSurface.clear();
+    }
   }
 }
 

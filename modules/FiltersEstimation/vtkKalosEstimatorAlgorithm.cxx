@@ -128,6 +128,7 @@ void vtkKalosEstimatorAlgorithm::Describe(const kalos::Result& result, vtkFieldD
   AddValue<vtkDoubleArray>(fieldData, vtkKalosArrayNames::SolveSeconds, result.seconds);
   AddValue<vtkDoubleArray>(fieldData, vtkKalosArrayNames::SolveCpuSeconds, result.cpuSeconds);
   AddValue<vtkIdTypeArray>(fieldData, vtkKalosArrayNames::Seed, this->Seed);
+  AddValue<vtkStringArray>(fieldData, vtkKalosArrayNames::KalosVersion, kalos::version());
 }
 
 void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

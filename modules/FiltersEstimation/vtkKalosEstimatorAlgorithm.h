@@ -6,9 +6,13 @@
  * The method, its effort and its goals. Without a goal the filter runs Trajectories; with one, until the first of:
  * every value's 95 % half-width is within RelativeError of it or below ErrorFloor, Seconds have passed, Trajectories
  * are used up. Every filter attaches to its output the field data arrays Audit (what was modelled and why),
- * Trajectories, Rays, SolveSeconds, SolveCpuSeconds and Seed. It reports progress and obeys AbortExecute: the output
- * then holds the rounds that were complete, and the audit says so; it is empty when there was none. The same seed gives
- * the same numbers, bit by bit, for any number of threads.
+ * Trajectories, Rays, SolveSeconds, SolveCpuSeconds, Seed and KalosVersion. It reports progress and obeys AbortExecute:
+ * the output then holds the rounds that were complete, and the audit says so; it is empty when there was none. The same
+ * seed gives the same numbers, bit by bit, for any number of threads.
+ *
+ * The audit says what became of the light, emitted = absorbed + escaped, and has lines `warning` for surfaces that seem
+ * to leak or to emit to the wrong side. A score that is infinite, negative or not a number ends the solve with an
+ * ErrorEvent that names receiver, trajectory and vertex, and the ErrorCode UnknownError.
  *
  * Errors: settings out of range, surfaces without the array Reflectance, arrays shorter or longer than what they are
  * of, values out of range or not finite give an ErrorEvent and no output.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkKalosIlluminance.h"
 
+#include <array>
 #include <exception>
+#include <stdexcept>
 
 #include "CheckpointFile.h"
 #include "ControllerRanks.h"
@@ -10,10 +12,14 @@
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkKalosArrayNames.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -77,6 +83,25 @@ vtkSmartPointer<vtkDataObject> CopyWithOwnLeaves(vtkDataObject* input)
 }
 }  // namespace
 
+namespace
+{
+vtkSmartPointer<vtkDoubleArray> ReplayTable(const kalos::Replay& replay)
+{
+  vtkNew<vtkDoubleArray> table;
+  table->SetName(vtkKalosArrayNames::Replay);
+  table->SetNumberOfComponents(5);
+  for (const kalos::RoundScores& r : replay.rounds)
+    table->InsertNextTuple(
+        std::array<double, 5>{static_cast<double>(r.first), static_cast<double>(r.count), r.sum, r.direct, r.largest}
+            .data());
+  table->InsertNextTuple(std::array<double, 5>{static_cast<double>(replay.replicates),
+                                               static_cast<double>(replay.trajectories), replay.estimate, replay.fixed,
+                                               0}
+                             .data());
+  return table;
+}
+}  // namespace
+
 vtkSmartPointer<vtkDataObject> vtkKalosIlluminance::Dress(vtkDataObject* receivers, const kalos::Result& result) const
 {
   vtkSmartPointer<vtkDataObject> dressed = CopyWithOwnLeaves(receivers);
@@ -93,6 +118,7 @@ vtkSmartPointer<vtkDataObject> vtkKalosIlluminance::Dress(vtkDataObject* receive
 int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs);
+  this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
     vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
@@ -101,6 +127,15 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
     for (vtkDataSet* leaf : LeavesOf(input))
       AppendReceivers(leaf, receivers);
 
+    if (this->ReplayReceiver >= 0)
+    {
+      const kalos::Ranks alone;
+      const kalos::Replay replay = kalos::replay(*scene, receivers, this->MakeSettings(alone, nullptr),
+                                                 static_cast<std::size_t>(this->ReplayReceiver), this->ReplayReplicate);
+      output->Initialize();
+      output->GetFieldData()->AddArray(ReplayTable(replay));
+      return 1;
+    }
     kalos::Snapshot show;
     if (this->IntermediateResults)
       show = [&](const kalos::Result& soFar) {
@@ -125,6 +160,8 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
   }
   catch (const std::exception& error)
   {
+    if (!dynamic_cast<const std::invalid_argument*>(&error))
+      this->SetErrorCode(vtkErrorCode::UnknownError);
     vtkErrorMacro(<< error.what());
     output->Initialize();
     return 0;
@@ -135,5 +172,7 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
 void vtkKalosIlluminance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ReplayReceiver: " << this->ReplayReceiver << "\n";
+  os << indent << "ReplayReplicate: " << this->ReplayReplicate << "\n";
   os << indent << "KeepReplicates: " << (this->KeepReplicates ? "on" : "off") << "\n";
 }

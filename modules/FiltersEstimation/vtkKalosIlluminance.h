@@ -49,6 +49,21 @@ public:
   vtkBooleanMacro(KeepReplicates, bool);
   ///@}
 
+  ///@{
+  /**
+   * Recompute replicate ReplayReplicate of a solve without a goal, and tell what it scored at receiver ReplayReceiver,
+   * counted over all data sets in their order, instead of an illuminance. The output then has no arrays but the field
+   * data array Replay, one tuple a round: first trajectory, trajectories, sum of the scores (lx times trajectories),
+   * direct part of that, largest single score so far; and a last tuple: replicates, trajectories of each, estimate of
+   * the replicate (lx), part of it that does not fluctuate (lx), 0. The illuminance is the mean of the estimates.
+   * Default -1, no replay, and 0.
+   */
+  vtkSetMacro(ReplayReceiver, vtkIdType);
+  vtkGetMacro(ReplayReceiver, vtkIdType);
+  vtkSetMacro(ReplayReplicate, int);
+  vtkGetMacro(ReplayReplicate, int);
+  ///@}
+
 protected:
   vtkKalosIlluminance();
   ~vtkKalosIlluminance() override = default;
@@ -58,6 +73,8 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   bool KeepReplicates = false;
+  vtkIdType ReplayReceiver = -1;
+  int ReplayReplicate = 0;
 
 private:
   /// A copy of the receivers that carries a result.

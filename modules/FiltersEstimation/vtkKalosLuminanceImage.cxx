@@ -2,12 +2,14 @@
 #include "vtkKalosLuminanceImage.h"
 
 #include <exception>
+#include <stdexcept>
 
 #include "CheckpointFile.h"
 #include "ControllerRanks.h"
 #include "estimator/LuminanceImage.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -88,6 +90,7 @@ void FillImage(vtkImageData* image, const int resolution[2], const kalos::Lumina
 int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkImageData* output = vtkImageData::GetData(outputs);
+  this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
     const auto scene = this->MakeScene(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]));
@@ -117,6 +120,8 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
   }
   catch (const std::exception& error)
   {
+    if (!dynamic_cast<const std::invalid_argument*>(&error))
+      this->SetErrorCode(vtkErrorCode::UnknownError);
     vtkErrorMacro(<< error.what());
     output->Initialize();
     return 0;

@@ -6,6 +6,7 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
 
 #include <stdexcept>
 #include <string>
@@ -13,18 +14,35 @@
 
 #include "TemporaryFile.h"
 #include "image/LuminancePlanes.h"
+#include "vtkDataArray.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkKalosArrayNames.h"
 #include "vtkObjectFactory.h"
+#include "vtkStringArray.h"
+#include "vtkVariant.h"
 
 namespace
 {
 using kalos::Plane;
 
-void WriteFile(const std::string& path, int width, int height, const std::vector<Plane>& planes)
+void AddProvenance(vtkFieldData* fields, Imf::Header& header)
 {
+  auto* version = vtkStringArray::SafeDownCast(fields->GetAbstractArray(vtkKalosArrayNames::KalosVersion));
+  vtkDataArray* seed = fields->GetArray(vtkKalosArrayNames::Seed);
+  if (version && version->GetNumberOfValues() > 0)
+    header.insert("software", Imf::StringAttribute("kalos " + version->GetValue(0)));
+  if (seed && seed->GetNumberOfTuples() > 0)
+    header.insert("kalosSeed", Imf::StringAttribute(seed->GetVariantValue(0).ToString()));
+}
+
+void WriteFile(const std::string& path, vtkImageData* image, const std::vector<Plane>& planes)
+{
+  const int width = image->GetDimensions()[0], height = image->GetDimensions()[1];
   Imf::Header header(width, height);
+  AddProvenance(image->GetFieldData(), header);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::addChromaticities(header, Imf::Chromaticities());  // the defaults are those of Rec. 709
   Imf::addWhiteLuminance(header, 1.0F);
@@ -69,7 +87,7 @@ void vtkKalosEXRWriter::WriteData()
     vtkImageData* image = vtkImageData::SafeDownCast(this->GetInput());
     const std::vector<Plane> planes = kalos::MakePlanes(image);
     const kalos::TemporaryFile temporary(this->FileName);
-    WriteFile(temporary.Path(), image->GetDimensions()[0], image->GetDimensions()[1], planes);
+    WriteFile(temporary.Path(), image, planes);
     temporary.MoveIntoPlace();
   }
   catch (const std::invalid_argument& error)

@@ -11,7 +11,8 @@
  * | Luminance              | cd/m² | `Y`, where there are no three bands                                     |
  * | LuminanceStandardError | cd/m² | `Y.standardError`, if the array is there                                |
  *
- * Header attributes: chromaticities of Rec. 709 and whiteLuminance = 1, as a pixel value of 1 is 1 cd/m². VTK's row 0
+ * Header attributes: chromaticities of Rec. 709 and whiteLuminance = 1, as a pixel value of 1 is 1 cd/m²; software and
+ * kalosSeed from the field data KalosVersion and Seed, if they are there. VTK's row 0
  * is at the bottom, OpenEXR's at the top: rows are turned over. ZIP compression, which loses nothing.
  *
  * The file is written beside its place under another name and renamed at the end, so that no half-written image stays.

@@ -2,6 +2,7 @@
 """Words of the command line turned into values; one line for each that can not be."""
 import argparse
 import math
+import re
 import sys
 
 from kalos.errors import BAD_INPUT
@@ -79,6 +80,14 @@ def peers(text):
         if name not in PEERS:
             raise argparse.ArgumentTypeError(f"{name!r} is not allowed, expected none, or some of {', '.join(PEERS)}")
     return names
+
+
+def receiver_and_replicate(text):
+    """RECEIVER:REPLICATE, two numbers from 0."""
+    found = re.fullmatch(r"(\d{1,18}):(\d{1,9})", text)
+    if not found:
+        raise argparse.ArgumentTypeError(f"{text!r} is not allowed, expected RECEIVER:REPLICATE, such as 12:3")
+    return int(found[1]), int(found[2])
 
 
 SWEEPS = {"trajectories": COUNT, "delta": length, "epsilon": length, "method": method, "seed": SEED}

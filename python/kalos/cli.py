@@ -5,7 +5,7 @@ import traceback
 
 from kalos import __version__, ranks
 from kalos.arguments import (COUNT, FLOOR, PEERS, RELATIVE, SEED, THREADS, TIME, Parser, length, methods, peers, quantity,
-                             savings, sweep)
+                             receiver_and_replicate, savings, sweep)
 from kalos.errors import FAILED, KalosError
 from kalos.estimator import DEFAULT_METHOD, METHODS, REFERENCE_TRAJECTORIES, SAVINGS, Options
 
@@ -27,6 +27,9 @@ def parser():
                             "goes on from there to the same numbers, and takes the files away when it is done (none)")
     solve.add_argument("--without", metavar="a,b,...", type=savings,
                        help=f"do without some of {', '.join(SAVINGS)}, to measure what they save; no mean moves (none)")
+    solve.add_argument("--replay", metavar="RECEIVER:REPLICATE", type=receiver_and_replicate,
+                       help="write nothing, but recompute one replicate of such a solve and print its scores at one receiver, "
+                            "counted over all sets from 0")
     solve.add_argument("--no-prepare", action="store_false", dest="prepare",
                        help="take the surfaces as they are: neither repair them nor look for singular edges")
     solve.add_argument("--report", action="store_true",
@@ -118,8 +121,11 @@ def options_of(arguments):
 
 
 def run_solve(arguments):
-    from kalos.solve import solve, take_part
+    from kalos.solve import replay, solve, take_part
 
+    if arguments.replay:
+        replay(arguments.scene, *arguments.replay, options_of(arguments), arguments.prepare)
+        return 0
     if ranks.join().rank:
         take_part(arguments.scene, options_of(arguments), arguments.prepare)
     else:

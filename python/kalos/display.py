@@ -47,4 +47,4 @@ def draw_grid(file, result, frame):
     if frame.right_inverted:
         axes.invert_xaxis()
     colour_bar(axes, scale, "illuminance, lx")
-    pictures.save(figure, file)
+    pictures.save(figure, file, result.vtk)

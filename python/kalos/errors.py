@@ -4,9 +4,11 @@ import re
 import sys
 
 from vtkmodules.vtkCommonCore import VTK_STRING
+from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 BAD_INPUT = 2
 FAILED = 1
+UNKNOWN_ERROR = vtkErrorCode.UnknownError
 
 
 class KalosError(Exception):
@@ -58,7 +60,8 @@ def update(algorithm, request=None):
         for caller, tag in tags:
             caller.RemoveObserver(tag)
     if messages:
-        raise KalosError(messages[0])
+        ended = getattr(algorithm, "GetErrorCode", int)() == UNKNOWN_ERROR  # not for the input, but in the work
+        raise KalosError(messages[0], FAILED if ended else BAD_INPUT)
 
 
 def plain(text):

@@ -39,7 +39,7 @@ def draw_receivers(path, receivers):
         scale = colour_scale(receivers.illuminance[seen] if len(seen) else receivers.illuminance)
         draw_axonometry(axes, polygons, receivers.illuminance, seen, scale)
     colour_bar(axes, scale, "illuminance, lx")
-    save(figure, path)
+    save(figure, path, receivers.dataset)
 
 
 def draw_image(path, name, image):
@@ -51,7 +51,7 @@ def draw_image(path, name, image):
     axes.imshow(luminance, origin="lower", cmap=scale.colours, norm=scale.norm, interpolation="nearest")
     axes.set_axis_off()
     colour_bar(axes, scale, "luminance, cd/m²")
-    save(figure, path)
+    save(figure, path, image)
 
 
 def draw_map(axes, polygons, values, scale, frame):
@@ -82,7 +82,7 @@ def draw_chart(path, title, receivers):
     axes.grid(True, color="0.9")
     axes.set_axisbelow(True)
     axes.legend(loc="upper right", frameon=False, ncol=2, fontsize=9)
-    save(figure, path)
+    save(figure, path, receivers.dataset)
 
 
 def abscissa(points):
@@ -122,5 +122,8 @@ def sheet(title, subtitle):
     return figure, axes
 
 
-def save(figure, path):
-    figure.savefig(path, format="png", bbox_inches="tight", pad_inches=0.15, metadata={"Software": None})
+def save(figure, path, dataset):
+    """Writes the picture; its text chunks say what made the result that it shows."""
+    version, seed = summary.provenance(dataset)
+    stamp = {"Software": version and f"kalos {version}", **({} if seed is None else {"Comment": f"seed {seed}"})}
+    figure.savefig(path, format="png", bbox_inches="tight", pad_inches=0.15, metadata=stamp)

@@ -38,7 +38,7 @@ def draw_plan(file, receivers, frame, lines):
     lower.set_title("relative standard error, %", loc="left", fontsize=11)
     if high < THIN * wide:
         lower.set_aspect("auto")
-    save(figure, file)
+    save(figure, file, receivers.dataset)
 
 
 def draw_isolux(axes, lines, frame):

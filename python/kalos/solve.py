@@ -44,6 +44,9 @@ def solve(scene, out, options=Options(), say=lambda text: None, preparing=True, 
         result["warnings"] = photometry_warnings(reader)
         for one in result["warnings"]["list"]:
             print(f"kalos: warning: {one['file']}: {one['message']}", file=sys.stderr)
+        for one in result["audit"]:
+            if one["subject"] == "warning":
+                print(f"kalos: warning: {scene}: {one['choice']}: {one['reason']}", file=sys.stderr)
         say("audit")
         say(figures.audit_text(result["audit"]))
         write(folder, receivers, images, result)
@@ -64,6 +67,26 @@ def solve(scene, out, options=Options(), say=lambda text: None, preparing=True, 
     for path in paths:
         say(f"  {path}")
     return result
+
+
+def replay(scene, receiver, replicate, options=Options(), preparing=True, say=print):
+    """Recomputes one replicate and says what it scored, round by round, at one receiver, counted over all sets from 0."""
+    reader, prepared = set_up(scene, preparing)
+    filter_ = prepared.put(illuminance(reader, options))
+    filter_.SetReplayReceiver(receiver)
+    filter_.SetReplayReplicate(replicate)
+    with named_options():
+        update(filter_)
+    table = filter_.GetOutputDataObject(0).GetFieldData().GetArray(arrays.REPLAY)
+    rounds = [table.GetTuple(i) for i in range(table.GetNumberOfTuples())]
+    replicates, trajectories, estimate, fixed, _ = rounds.pop()
+    say(f"receiver {receiver}, replicate {replicate} of {replicates:.0f}, method {options.method}, seed {options.seed}")
+    say(f"{'trajectories':>24} {'mean score, lx':>22} {'direct of it, lx':>22} {'largest score so far':>22}")
+    for first, count, total, direct, largest in rounds:
+        say(f"{first:>11.0f} to {first + count - 1:>9.0f} {total / count:>22.15g} {direct / count:>22.15g} {largest:>22.15g}")
+    say(f"does not fluctuate: {fixed:.17g} lx")
+    say(f"estimate of {trajectories:.0f} trajectories: {estimate:.17g} lx")
+    return estimate
 
 
 def take_part(scene, options=Options(), preparing=True):

@@ -65,6 +65,12 @@ def field_value(output, name):
     return array.GetTuple1(0) if array else None
 
 
+def provenance(output):
+    """Version and seed of what made a data object; None where it does not tell."""
+    version, seed = output.GetFieldData().GetAbstractArray(arrays.VERSION), field_value(output, arrays.SEED)
+    return version and version.GetValue(0), None if seed is None else int(seed)
+
+
 def trajectories(output):
     value = field_value(output, arrays.TRAJECTORIES)
     return None if value is None else int(value)

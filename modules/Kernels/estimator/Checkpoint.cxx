@@ -61,6 +61,11 @@ void visit(Archive& archive, Done& done, Tally& tally, Estimator& estimator)
 }
 }  // namespace
 
+const char* version()
+{
+  return KALOS_VERSION;
+}
+
 Identity identify(const Scene& scene, const Receivers& receivers, const Settings& s, bool shown)
 {
   Fingerprint surfaces, points;
@@ -73,7 +78,7 @@ Identity identify(const Scene& scene, const Receivers& receivers, const Settings
     for (const Vec3& v : cell)
       points.add(v);
   points.add(receivers.followsMirror.data(), receivers.followsMirror.size());
-  return {{"version", KALOS_VERSION},
+  return {{"version", version()},
           {"scene", hexadecimal(surfaces)},
           {"receivers", hexadecimal(points)},
           {"method", std::to_string(static_cast<int>(s.method))},

@@ -17,6 +17,9 @@
 
 namespace kalos
 {
+/// The version of Kalos, as outputs and checkpoints name it.
+const char* version();
+
 /// Where a checkpoint is kept. Files come in from above: the kernels know only bytes.
 class CheckpointStore
 {

@@ -28,6 +28,7 @@ bool CompensatedEstimation::addRound(long long first, int count, Workers& worker
   const Round round = this->Light.trace(first, count, replicates, workers);
   if (round.pools.empty())
     return false;
+  tally.noteEnergy(round.pools);
 
   // A task owns its tile and replicate, so that no sum depends on the threads.
   const bool scored =

@@ -46,8 +46,10 @@ bool DirectSimulation::addRound(long long first, int count, Workers& workers, Ta
     return true;  // a dark scene
   return workers.forEachReplicate(tally.replicates(), 1, [&](int replicate, std::size_t) {
     std::vector<std::uint32_t> met;
-    walkTrajectories(this->Lit, this->Source, this->Wanted.walks(), replicate, first, count,
-                     [&](const Segment& segment) { this->score(segment, replicate, met, tally); });
+    const EnergySums energy =
+        walkTrajectories(this->Lit, this->Source, this->Wanted.walks(), replicate, first, count,
+                         [&](const Segment& segment) { this->score(segment, replicate, met, tally); });
+    tally.energy(replicate).add(energy);
   });
 }
 

@@ -62,6 +62,7 @@ EmissionSample Emission::fromTriangle(std::uint32_t t, double u, SampleStream& r
   const Vec3 a = this->Lit.corner(t, 0);
   EmissionSample start;
   start.onSurface = true;
+  start.triangle = t;
   start.normal = this->Lit.normal(t);
   start.position = a + b1 * (this->Lit.corner(t, 1) - a) + b2 * (this->Lit.corner(t, 2) - a);
   const double v1 = random.next(), v2 = random.next();

@@ -13,11 +13,12 @@ namespace kalos
 struct EmissionSample
 {
   Vec3 position, direction;
-  Vec3 normal;             ///< of the emitting surface; meaningless for a point
-  bool fromPoint = false;  ///< from a point luminaire
-  bool onSurface = false;  ///< from a mesh (else from a luminaire, which has no body)
-  double density = 0;      ///< starts per m2 and trajectory about the position, on a mesh
-  Bands weight;            ///< flux per band, lm, if this were the only trajectory
+  Vec3 normal;                 ///< of the emitting surface; meaningless for a point
+  bool fromPoint = false;      ///< from a point luminaire
+  bool onSurface = false;      ///< from a mesh (else from a luminaire, which has no body)
+  std::uint32_t triangle = 0;  ///< of the mesh, when onSurface
+  double density = 0;          ///< starts per m2 and trajectory about the position, on a mesh
+  Bands weight;                ///< flux per band, lm, if this were the only trajectory
 };
 
 class Emission

@@ -51,7 +51,7 @@ bool GatheredEstimation::prepare(Workers& workers, Tally& tally)
   this->Checks.assign(tileCount(tally.receivers()) * tally.replicates(), {});
   if (!this->layCache(workers))
     return false;
-  this->Cached = std::make_unique<Tally>(this->CacheSensors.size(), tally.replicates(), tally.bands());
+  this->Cached = std::make_unique<Tally>(this->Lit, this->CacheSensors.size(), tally.replicates());
   return this->Light.prepare(this->CacheSensors, workers);
 }
 
@@ -116,6 +116,7 @@ bool GatheredEstimation::addRound(long long first, int count, Workers& workers, 
   const Round round = this->Light.trace(first, count, this->Replicates, workers);
   if (round.pools.empty() || !this->fillCache(round, workers))
     return false;
+  tally.noteEnergy(round.pools);
   const std::size_t tiles = tileCount(tally.receivers());
   return workers.forEachReplicate(this->Replicates, tiles, [&](int replicate, std::size_t tile) {
     const std::size_t end = std::min(tally.receivers(), (tile + 1) * tileSize);

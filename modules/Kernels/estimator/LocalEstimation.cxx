@@ -52,6 +52,7 @@ bool LocalEstimation::addRound(long long first, int count, Workers& workers, Tal
       traceRound(this->Lit, this->Source, this->Wanted.walks(), replicates, first, count, workers);
   if (pools.empty())
     return false;
+  tally.noteEnergy(pools);
 
   // A task owns its tile and replicate, so that no sum depends on the threads.
   return workers.forEachReplicate(replicates, tileCount(tally.receivers()), [&](int replicate, std::size_t tile) {

@@ -9,6 +9,7 @@
 #include "estimator/Checkpoint.h"
 #include "estimator/Estimator.h"
 #include "estimator/Goal.h"
+#include "estimator/Guard.h"
 #include "estimator/KernelAlteration.h"
 #include "estimator/Trust.h"
 #include "scene/RayCount.h"
@@ -162,7 +163,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   ranks.together([&] { return (estimator = makeEstimator(scene, receivers, settings)) != nullptr; });
   const int replicates = estimator->replicates(goal ? 32 : limit);
   Workers workers(settings.threads, progress, ranks);
-  Tally tally(receivers.points.size(), replicates, scene.bands());
+  Tally tally(scene, receivers.points.size(), replicates);
   Schedule schedule(settings, tally, limit, static_cast<bool>(snapshot));
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpuStart = std::clock();
@@ -198,6 +199,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
     {
       tally.exchange(ranks);
       estimator->exchange(ranks);
+      guardScores(tally, scene, receivers, settings, done, count);
       conclude(tally, done += count, *estimator, schedule.goal(), settings.keepReplicates, result);
       clock();
       checkpoint.keep({done, result.seconds, result.cpuSeconds, result.rays}, tally, *estimator);
@@ -218,6 +220,8 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   result.audit = estimator->audit();
   if (!result.goal.empty())
     result.audit.push_back(auditGoal(settings, result));
+  for (AuditLine& line : tally.auditEnergy())
+    result.audit.push_back(std::move(line));
   if (ranks.size() > 1)
     result.audit.push_back({"ranks", std::to_string(ranks.size()) + " processes",
                             std::to_string(replicates) + " replicates are shared out, scene and receivers replicated"});
@@ -225,5 +229,48 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
     result.audit.push_back({"stopped", "after " + std::to_string(result.trajectories) + " trajectories",
                             "from outside, before the goal; the round that was under way is left out"});
   return result;
+}
+
+Replay replay(const Scene& scene, const Receivers& receivers, const Settings& settings, std::size_t receiver,
+              int replicate)
+{
+  check(receivers, settings);
+  neighbourhood(scene, settings, 0);
+  auto require = [](bool condition, const std::string& message) {
+    if (!condition)
+      throw std::invalid_argument("replay: " + message);
+  };
+  require(settings.relativeError == 0 && settings.seconds == 0,
+          "the solve has a goal, so that its rounds depend on all receivers; expected trajectories alone");
+  const long long limit = settings.trajectories ? settings.trajectories : defaultTrajectories;
+  const std::unique_ptr<Estimator> estimator = makeEstimator(scene, receivers, settings);
+  Replay found;
+  found.replicates = estimator->replicates(limit);
+  require(receiver < receivers.points.size(), "receiver " + std::to_string(receiver) + " is not there; expected 0 to " +
+                                                  std::to_string(receivers.points.size() - 1));
+  require(replicate >= 0 && replicate < found.replicates, "replicate " + std::to_string(replicate) +
+                                                              " is not there; expected 0 to " +
+                                                              std::to_string(found.replicates - 1));
+  const Ranks alone;
+  Workers workers(settings.threads, {}, alone);
+  Tally tally(scene, receivers.points.size(), found.replicates);
+  Schedule schedule(settings, tally, limit, false);
+  estimator->prepare(workers, tally);
+  workers.only(replicate);
+  found.fixed = photometric(tally.fixed(receiver), scene.bands());
+  RoundScores before;
+  while (const int count = schedule.next(found.trajectories, 0, tally))
+  {
+    estimator->addRound(found.trajectories, count, workers, tally);
+    const double sum = photometric(tally.total(receiver, replicate), scene.bands());
+    const double direct = photometric(tally.direct(receiver, replicate), scene.bands());
+    found.rounds.push_back(
+        {found.trajectories, count, sum - before.sum, direct - before.direct, tally.largest(receiver, replicate)});
+    before.sum = sum;
+    before.direct = direct;
+    found.trajectories += count;
+  }
+  found.estimate = found.fixed + before.sum / static_cast<double>(found.trajectories);
+  return found;
 }
 }  // namespace kalos

@@ -2,17 +2,19 @@
 #include "estimator/Tally.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace kalos
 {
-Tally::Tally(std::size_t receivers, int replicates, int bands)
+Tally::Tally(const Scene& scene, std::size_t receivers, int replicates)
     : Receivers(receivers),
       Replicates(replicates),
-      BandCount(bands),
-      Fixed(receivers * bands),
-      Total(receivers * replicates * bands),
-      DirectPart(receivers * replicates * bands),
+      BandCount(scene.bands()),
+      Energy(scene, replicates),
+      Fixed(receivers * BandCount),
+      Total(receivers * replicates * BandCount),
+      DirectPart(receivers * replicates * BandCount),
       Correction(receivers * replicates),
       Largest(receivers * replicates)
 {
@@ -20,6 +22,7 @@ Tally::Tally(std::size_t receivers, int replicates, int bands)
 
 void Tally::exchange(const Ranks& ranks)
 {
+  this->Energy.exchange(ranks);
   ranks.exchange(this->Replicates, [this](int first, int last, const auto& visit) {
     for (std::size_t r = 0; r < this->Receivers; ++r)
       for (std::size_t i = r * this->Replicates + first; i < r * this->Replicates + last; ++i)
@@ -35,10 +38,21 @@ void Tally::exchange(const Ranks& ranks)
   });
 }
 
+bool Tally::sound(std::size_t receiver, int replicate) const
+{
+  const std::size_t i = this->at(receiver, replicate);
+  bool finite = std::isfinite(this->Largest[receiver * this->Replicates + replicate]);
+  for (int b = 0; b < this->BandCount; ++b)
+    finite = finite && std::isfinite(this->Total[i + b]) && std::isfinite(this->DirectPart[i + b]) &&
+             std::isfinite(this->Fixed[receiver * this->BandCount + b]);
+  return finite;
+}
+
 void Tally::persist(Archive& archive)
 {
   for (std::vector<double>* sums : {&this->Fixed, &this->Total, &this->DirectPart, &this->Correction, &this->Largest})
     archive.array(*sums);
+  this->Energy.persist(archive);
 }
 
 std::vector<double> Tally::estimates(std::size_t receiver, long long n, bool indirectOnly) const

@@ -3,7 +3,10 @@
 #ifndef kalos_estimator_Tally_h
 #define kalos_estimator_Tally_h
 
+#include <limits>
+
 #include "estimator/Archive.h"
+#include "estimator/EnergyBalance.h"
 #include "estimator/Ranks.h"
 #include "estimator/Settings.h"
 #include "photometry/Bands.h"
@@ -16,7 +19,7 @@ namespace kalos
 class Tally
 {
 public:
-  Tally(std::size_t receivers, int replicates, int bands);
+  Tally(const Scene& scene, std::size_t receivers, int replicates);
 
   std::size_t receivers() const { return this->Receivers; }
   int replicates() const { return this->Replicates; }
@@ -26,18 +29,36 @@ public:
   double* total(std::size_t receiver, int replicate) { return &this->Total[this->at(receiver, replicate)]; }
   double* direct(std::size_t receiver, int replicate) { return &this->DirectPart[this->at(receiver, replicate)]; }
 
+  /// What becomes of the light of the trajectories of a replicate.
+  EnergySums& energy(int replicate) { return this->Energy.of(replicate); }
+  template <class Pools>
+  void noteEnergy(const Pools& pools)
+  {
+    for (std::size_t p = 0; p < pools.size(); ++p)
+      this->energy(static_cast<int>(p)).add(pools[p].energy);
+  }
+  std::vector<AuditLine> auditEnergy() const { return this->Energy.audit(); }
+
   /// What an altered kernel scored less what the plain one would have, luminous.
   double& correction(std::size_t receiver, int replicate)
   {
     return this->Correction[receiver * this->Replicates + replicate];
   }
 
-  /// Notes one luminous score, in the unit of total().
+  /// Notes one luminous score, in the unit of total(); one that is none makes the receiver unsound for good.
   void noteScore(std::size_t receiver, int replicate, double score)
   {
     double& largest = this->Largest[receiver * this->Replicates + replicate];
-    largest = std::max(largest, score);
+    largest = score >= 0 ? std::max(largest, score) : std::numeric_limits<double>::quiet_NaN();
   }
+
+  double largest(std::size_t receiver, int replicate) const
+  {
+    return this->Largest[receiver * this->Replicates + replicate];
+  }
+
+  /// Whether all sums are finite, and no score that was noted was negative or not a number.
+  bool sound(std::size_t receiver, int replicate) const;
 
   /// Fetches from every rank the sums of the replicates that it owns.
   void exchange(const Ranks& ranks);
@@ -69,6 +90,7 @@ private:
 
   std::size_t Receivers;
   int Replicates, BandCount;
+  EnergyBalance Energy;
   std::vector<double> Fixed, Total, DirectPart, Correction, Largest;
 };
 }  // namespace kalos

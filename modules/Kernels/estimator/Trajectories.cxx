@@ -8,38 +8,65 @@ void VertexPool::append(const VertexPool& other)
   this->reflected.append(other.reflected);
   this->glossy.append(other.glossy);
   this->emitted.append(other.emitted);
+  this->energy.add(other.energy);
 }
 
 namespace
 {
+// Where the light of an emitting mesh goes first.
+void noteStart(const Scene& scene, std::size_t surface, const SurfacePoint& met, EnergySums& energy)
+{
+  energy.starts(surface) += 1;
+  if (!met.valid)
+    energy.lost(surface) += 1;
+  else if (scene.surface(met.triangle) == surface)
+    energy.trapped(surface) += 1;
+}
+
 // Walks one trajectory. `onStart(sample)`, `onSegment(from, direction, point, weight, first)`, with `from` off its
 // surface, and `onCollision(point, towardsLight, weight)` see what happens.
+// Notes in `energy` what becomes of the light.
 template <class OnStart, class OnSegment, class OnCollision>
-void walk(const Scene& scene, const Emission& emission, SampleStream random, OnStart onStart, OnSegment onSegment,
-          OnCollision onCollision)
+void walk(const Scene& scene, const Emission& emission, SampleStream random, EnergySums& energy, OnStart onStart,
+          OnSegment onSegment, OnCollision onCollision)
 {
   const EmissionSample start = emission.sample(random);
   onStart(start);
   Bands weight = start.weight;
+  double luminous = photometric(weight, scene.bands());
+  energy.emitted() += luminous;
+  energy.trajectories() += 1;
   Vec3 direction = start.direction;
   bool fromPoint = start.fromPoint;
   RayAnchor from = start.onSurface ? scene.anchor(start.position, start.normal) : start.position;
   SurfacePoint point = scene.trace(from, direction);
+  if (start.onSurface)
+    noteStart(scene, scene.surface(start.triangle), point, energy);
+  std::size_t last = start.onSurface ? scene.surface(start.triangle) : scene.surfaces();
   for (bool first = true;; first = false)
   {
     onSegment(from.lifted, direction, point, weight, first);
     if (!point.valid)
+    {
+      energy.escaped() += luminous;
+      if (last < scene.surfaces())
+        energy.lastSeen(last) += 1;
       return;
+    }
     onCollision(point, -direction, weight, fromPoint && !first);
 
     // Reflect, or be absorbed with the probability of the luminous share that the surface absorbs.
+    const Brdf& brdf = scene.brdf(point.triangle);
+    energy.absorbed() += luminous * (1 - brdf.material().mirror - brdf.albedo(-dot(point.normal, direction), weight));
+    last = scene.surface(point.triangle);
     const double u0 = random.next(), u1 = random.next(), u2 = random.next();
-    const BrdfSample next = scene.brdf(point.triangle).sample(point.normal, -direction, weight, u0, u1, u2);
+    const BrdfSample next = brdf.sample(point.normal, -direction, weight, u0, u1, u2);
     if (!next.alive)
       return;
     fromPoint = fromPoint && next.mirror;
     for (int b = 0; b < scene.bands(); ++b)
       weight[b] *= next.weight[b];
+    luminous = photometric(weight, scene.bands());
     direction = next.direction;
     from = scene.anchor(point.position, point.normal);
     point = scene.trace(from, direction);
@@ -50,7 +77,7 @@ void walk(const Scene& scene, const Emission& emission, SampleStream random, OnS
 VertexPool traceTrajectories(const Scene& scene, const Emission& emission, const Walks& walks, int replicate,
                              long long first, int count)
 {
-  VertexPool pool(scene.bands());
+  VertexPool pool(scene.bands(), scene.surfaces());
   auto keep = [&](const SurfacePoint& point, const Vec3& towardsLight, const Bands& weight, bool caustic) {
     const Material& material = scene.material(point.triangle);
     const double inverse = caustic ? 0 : -1;
@@ -65,7 +92,7 @@ VertexPool traceTrajectories(const Scene& scene, const Emission& emission, const
   for (long long i = first; i < first + count; ++i)
   {
     walk(
-        scene, emission, walks.stream(replicate, Purpose::Trajectory, i),
+        scene, emission, walks.stream(replicate, Purpose::Trajectory, i), pool.energy,
         [&](const EmissionSample& start) {
           if (start.onSurface)
             pool.emitted.add(scene, start.position, start.normal, start.weight, 1 / start.density);
@@ -75,13 +102,14 @@ VertexPool traceTrajectories(const Scene& scene, const Emission& emission, const
   return pool;
 }
 
-void walkTrajectories(const Scene& scene, const Emission& emission, const Walks& walks, int replicate, long long first,
-                      int count, const std::function<void(const Segment&)>& visit)
+EnergySums walkTrajectories(const Scene& scene, const Emission& emission, const Walks& walks, int replicate,
+                            long long first, int count, const std::function<void(const Segment&)>& visit)
 {
+  EnergySums energy(scene.surfaces());
   for (long long i = first; i < first + count; ++i)
   {
     walk(
-        scene, emission, walks.stream(replicate, Purpose::Trajectory, i), [](auto&&...) {},
+        scene, emission, walks.stream(replicate, Purpose::Trajectory, i), energy, [](auto&&...) {},
         [&](const Vec3& from, const Vec3& direction, const SurfacePoint& point, const Bands& weight,
             bool firstSegment) {
           Vec3 to = from + (4 * (scene.size() + length(from))) * direction;
@@ -94,5 +122,6 @@ void walkTrajectories(const Scene& scene, const Emission& emission, const Walks&
         },
         [](auto&&...) {});
   }
+  return energy;
 }
 }  // namespace kalos

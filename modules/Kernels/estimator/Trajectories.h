@@ -4,6 +4,7 @@
 #define kalos_estimator_Trajectories_h
 
 #include "estimator/Emission.h"
+#include "estimator/EnergyBalance.h"
 #include "estimator/VertexSet.h"
 
 namespace kalos
@@ -14,8 +15,12 @@ struct VertexPool
   VertexSet reflected;  ///< collisions with Lambertian surfaces: flux = reflectance times incident weight
   VertexSet glossy;     ///< collisions with glossy surfaces: flux = incident weight, with its direction
   VertexSet emitted;    ///< starts on emitting meshes: flux = emitted flux
+  EnergySums energy;    ///< of the trajectories
 
-  explicit VertexPool(int bands = 1) : reflected(bands), glossy(bands), emitted(bands) {}
+  explicit VertexPool(int bands = 1, std::size_t surfaces = 0)
+      : reflected(bands), glossy(bands), emitted(bands), energy(surfaces)
+  {
+  }
   void append(const VertexPool& other);
 };
 
@@ -33,9 +38,9 @@ struct Segment
 VertexPool traceTrajectories(const Scene& scene, const Emission& emission, const Walks& walks, int replicate,
                              long long first, int count);
 
-/// The same trajectories, segment by segment.
-void walkTrajectories(const Scene& scene, const Emission& emission, const Walks& walks, int replicate, long long first,
-                      int count, const std::function<void(const Segment&)>& visit);
+/// The same trajectories, segment by segment. Returns what became of their light.
+EnergySums walkTrajectories(const Scene& scene, const Emission& emission, const Walks& walks, int replicate,
+                            long long first, int count, const std::function<void(const Segment&)>& visit);
 }  // namespace kalos
 
 #endif

@@ -18,7 +18,7 @@ std::vector<VertexPool> traceRound(const Scene& scene, const Emission& emission,
     return {};
 
   // Join the chunks of each replicate in their order, so that no sum depends on the threads.
-  std::vector<VertexPool> pools(replicates, VertexPool(scene.bands()));
+  std::vector<VertexPool> pools(replicates, VertexPool(scene.bands(), scene.surfaces()));
   const bool joined = workers.forEachReplicate(replicates, 1, [&](int p, std::size_t) {
     for (int c = 0; c < chunksEach; ++c)
       pools[p].append(chunks[p * chunksEach + c]);

@@ -59,12 +59,16 @@ public:
     return !this->Aborted;
   }
 
+  /// From now on forEachReplicate() runs this replicate alone.
+  void only(int replicate) { this->Only = replicate; }
+
   /// Runs body(replicate, part) for every part in [0, parts) of those of `replicates` that this rank owns.
   template <class Body>
   bool forEachReplicate(int replicates, std::size_t parts, const Body& body)
   {
-    const int first = this->Sharing.firstReplicate(this->Sharing.rank(), replicates);
-    const int count = this->Sharing.firstReplicate(this->Sharing.rank() + 1, replicates) - first;
+    const bool all = this->Only < 0;
+    const int first = all ? this->Sharing.firstReplicate(this->Sharing.rank(), replicates) : this->Only;
+    const int count = all ? this->Sharing.firstReplicate(this->Sharing.rank() + 1, replicates) - first : 1;
     return this->forEach(parts * static_cast<std::size_t>(count),
                          [&](std::size_t i) { body(first + static_cast<int>(i % count), i / count); });
   }
@@ -105,6 +109,7 @@ private:
   std::chrono::steady_clock::time_point LastTold{};
   std::atomic<bool> Aborted{false};
   std::mutex Gate;
+  int Only = -1;
   double Telling = 0, From = 0, To = 0, Told = 0;  // what comes before the first span is no progress
 };
 }  // namespace kalos

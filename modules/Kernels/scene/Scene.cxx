@@ -32,6 +32,10 @@ void check(const SceneDescription& d)
 {
   require(d.bands >= 1 && d.bands <= maxBands, "bands: must be 1 to " + std::to_string(maxBands));
   require(d.triangleMaterial.size() == d.triangles.size(), "triangleMaterial: one entry per triangle is expected");
+  require(d.surfaceNames.empty() || d.triangleSurface.size() == d.triangles.size(),
+          "triangleSurface: one entry per triangle is expected");
+  for (const std::uint32_t surface : d.triangleSurface)
+    require(surface < d.surfaceNames.size(), "triangleSurface: names a surface that does not exist");
   for (std::size_t i = 0; i < d.points.size(); ++i)
     require(isFinite(d.points[i]), "point " + std::to_string(i) + ": coordinates must be finite");
   for (std::size_t i = 0; i < d.triangles.size(); ++i)

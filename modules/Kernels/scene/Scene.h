@@ -4,6 +4,7 @@
 #define kalos_scene_Scene_h
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "geometry/Vector.h"
@@ -22,6 +23,8 @@ struct SceneDescription
   std::vector<std::uint32_t> triangleMaterial;  ///< index into materials, one per triangle
   std::vector<Material> materials;
   std::vector<Luminaire> luminaires;
+  std::vector<std::uint32_t> triangleSurface;  ///< index into surfaceNames, one per triangle; or empty
+  std::vector<std::string> surfaceNames;       ///< for messages; or empty: materials stand for surfaces
 };
 
 /// A point of a surface, found by a ray.
@@ -53,6 +56,23 @@ public:
     return this->Data.materials[this->Data.triangleMaterial[triangle]];
   }
   const Brdf& brdf(std::uint32_t triangle) const { return this->Brdfs[this->Data.triangleMaterial[triangle]]; }
+
+  /// Surfaces as messages name them, and the one that a triangle belongs to.
+  std::size_t surfaces() const
+  {
+    return this->Data.surfaceNames.empty() ? this->Data.materials.size() : this->Data.surfaceNames.size();
+  }
+  std::size_t surface(std::uint32_t triangle) const
+  {
+    return this->Data.surfaceNames.empty() ? this->Data.triangleMaterial[triangle]
+                                           : this->Data.triangleSurface[triangle];
+  }
+  std::string surfaceName(std::size_t surface) const
+  {
+    return this->Data.surfaceNames.empty() ? "what is of material " + std::to_string(surface)
+                                           : "surface " + this->Data.surfaceNames[surface];
+  }
+
   const Vec3& normal(std::uint32_t triangle) const { return this->Normals[triangle]; }
   double area(std::uint32_t triangle) const { return this->Areas[triangle]; }
   Vec3 corner(std::uint32_t triangle, int i) const { return this->Data.points[this->Data.triangles[triangle][i]]; }

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What becomes of the light of the trajectories: emitted = absorbed + escaped, within error bars, in every run.
+#ifndef kalos_estimator_EnergyBalance_h
+#define kalos_estimator_EnergyBalance_h
+
+#include "estimator/Archive.h"
+#include "estimator/Ranks.h"
+#include "estimator/Settings.h"
+#include "scene/Scene.h"
+
+namespace kalos
+{
+/// Sums over trajectories, lm if each were the only one, and counts per surface.
+class EnergySums
+{
+public:
+  explicit EnergySums(std::size_t surfaces = 0) : Values(fixed + each * surfaces) {}
+
+  double& emitted() { return this->Values[0]; }
+  double& absorbed() { return this->Values[1]; }
+  double& escaped() { return this->Values[2]; }
+  double& trajectories() { return this->Values[3]; }
+  double& starts(std::size_t surface) { return this->Values[fixed + each * surface]; }        ///< on its meshes
+  double& lost(std::size_t surface) { return this->Values[fixed + each * surface + 1]; }      ///< of them, at once
+  double& trapped(std::size_t surface) { return this->Values[fixed + each * surface + 2]; }   ///< of them, on itself
+  double& lastSeen(std::size_t surface) { return this->Values[fixed + each * surface + 3]; }  ///< before an escape
+
+  void add(const EnergySums& other);
+  std::vector<double>& values() { return this->Values; }
+
+private:
+  static constexpr std::size_t fixed = 4, each = 4;
+  std::vector<double> Values;
+};
+
+/// The sums of every replicate, and what they say.
+class EnergyBalance
+{
+public:
+  EnergyBalance(const Scene& scene, int replicates) : Lit(scene), Sums(replicates, EnergySums(scene.surfaces())) {}
+
+  EnergySums& of(int replicate) { return this->Sums[replicate]; }
+  void exchange(const Ranks& ranks);
+  void persist(Archive& archive);
+
+  /// The line `energy`, and a line `warning` for each surface that seems to leak, or to emit to the wrong side:
+  ///
+  /// - leak: of the light, between 2e-5 (what rays may miss at shared edges) and 1e-3 (less than any opening that is
+  ///   meant) leaves the scene; the surface is the one that most of it was last seen at.
+  /// - wrong side: all of 32 or more starts on the surface leave the scene at once, or all of 1024 or more meet first
+  ///   the surface itself, and there are others.
+  /// - imbalance: absorbed and escaped differ from emitted by more than 6 standard errors (false alarm below 1e-6).
+  ///
+  /// No lines where no trajectories were traced.
+  std::vector<AuditLine> audit() const;
+
+private:
+  const Scene& Lit;
+  std::vector<EnergySums> Sums;
+};
+}  // namespace kalos
+
+#endif
