@@ -15,7 +15,7 @@ constexpr int replicates = 16;
 // Two receivers of 100 lx and 0.01 lx whose replicates alternate by `spread` lx about that, and one that is dark.
 Tally alternating(double spread)
 {
-  Tally tally(3, replicates, 1);
+  Tally tally(Scene(rooms::litRoom(0.5)), 3, replicates);
   for (int p = 0; p < replicates; ++p)
   {
     *tally.total(0, p) = 100 + (p % 2 ? spread : -spread);
