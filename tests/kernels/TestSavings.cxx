@@ -88,7 +88,11 @@ TEST_P(Savings, ChangeTheWork)
   const std::string name = GetParam();
   const bool empty = name == "convex";
   const Result with = solveRoom(empty, "", 1), without = solveRoom(empty, name, 1);
-  EXPECT_NE(with.illuminance, without.illuminance) << "other random numbers or weights";
+  if (empty)
+    for (std::size_t r = 0; r < with.illuminance.size(); ++r)  // its shadow rays find nothing
+      EXPECT_NEAR(with.illuminance[r], without.illuminance[r], 1e-5 * with.illuminance[r]);
+  else
+    EXPECT_NE(with.illuminance, without.illuminance) << "other random numbers or weights";
   const bool ofRays = name != "stratified" && name != "exact-direct";
   EXPECT_EQ(without.rays > with.rays, ofRays) << without.rays << " against " << with.rays;
   EXPECT_EQ(with.direct != without.direct, name == "exact-direct" || name == "stratified");

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/PickedScores.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace kalos
 {
 namespace
@@ -78,6 +82,14 @@ std::uint64_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sen
 }
 
 // The general case: pairs with BRDF factors.
+// A total that is none must not be picked from in silence: the sums and the score say so to whoever guards them.
+double addNone(std::size_t bands, double* sum)
+{
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::fill_n(sum, bands, none);
+  return none;
+}
+
 double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block, const ShadowPicks& shadows,
                       double* sum)
 {
@@ -98,6 +110,8 @@ double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block
   }
   const auto largest = static_cast<double>(scores.largest);
   const double total = scores.total();
+  if (!std::isfinite(total))
+    return addNone(v.flux.size(), sum);
   const Picks picks = pickSystematically(scores, total, shadows);
   int vertices[ShadowPicks::mostPicks];
   for (int k = 0; k < picks.count; ++k)
@@ -131,6 +145,8 @@ double addPickedScores(const VertexSet& v, std::size_t begin, int count, const S
   scoreTile(tile, sensor, share, scores);
   const auto largest = static_cast<double>(scores.largest);
   const double total = scores.total();
+  if (!std::isfinite(total))
+    return addNone(v.flux.size(), sum);
   if (!(total > 0))
     return 0;
   if (!shadows.rays)

@@ -218,10 +218,10 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   result.cpuSeconds = ranks.sum(result.cpuSeconds);
   result.rays = static_cast<decltype(result.rays)>(ranks.sum(static_cast<double>(result.rays)));
   result.audit = estimator->audit();
-  if (!result.goal.empty())
-    result.audit.push_back(auditGoal(settings, result));
   for (AuditLine& line : tally.auditEnergy())
     result.audit.push_back(std::move(line));
+  if (!result.goal.empty())
+    result.audit.push_back(auditGoal(settings, result));
   if (ranks.size() > 1)
     result.audit.push_back({"ranks", std::to_string(ranks.size()) + " processes",
                             std::to_string(replicates) + " replicates are shared out, scene and receivers replicated"});
