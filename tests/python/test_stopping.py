@@ -22,7 +22,7 @@ def solve(**options):
 
 def test_callback_sees_fractions_and_the_end():
     seen = []
-    solve(trajectories=20000, progress=seen.append)
+    solve(trajectories=100000, progress=seen.append)
     assert seen[-1] == 1 and len(seen) > 3 and all(0 < fraction <= 1 for fraction in seen)
 
 
