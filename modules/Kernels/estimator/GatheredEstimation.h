@@ -10,9 +10,9 @@
 //
 // Bias: none in the mean over the receivers that share a cell; between them, light is spread over the cell. It is
 // second order in the cell's width over its distance. One shared hit in `checkEvery` is estimated at its own place too;
-// audit() states the mean of the difference, and its root mean square over groups of neighbouring receivers. Each
-// replicate has cells of its own, so that standard errors include everything. Source: radiosity with final gathering
-// (Lischinski, Tampieri and Greenberg 1993), its radiosity estimated on demand and without bias.
+// audit() states the mean of the difference with its standard error. Each replicate has cells of its own, so that
+// standard errors include everything. Source: radiosity with final gathering (Lischinski, Tampieri and Greenberg 1993),
+// its radiosity estimated on demand and without bias.
 #ifndef kalos_estimator_GatheredEstimation_h
 #define kalos_estimator_GatheredEstimation_h
 

@@ -49,6 +49,7 @@ public:
 private:
   // Vertices scored where a gather ray ends, and for an estimate that many rays share.
   static constexpr int rayBlock = 64, cellBlock = 256;
+  static_assert(cellBlock <= VertexTile::capacity, "a block is scored as one tile");
 
   struct Ray
   {
