@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The surface cache and method `gathered`, held against closed forms and against `compensated`.
+// The cells and method `gathered`, held against closed forms and against `compensated`.
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
@@ -178,11 +178,11 @@ TEST(Gathered, AgreesWithCompensatedInAFurnishedRoom)
   }
   EXPECT_LT(std::abs(a / b - 1), 0.004);
   EXPECT_LT(errors[0], errors[1]);
-  EXPECT_NE(choice(gathered, "surface cache"), "");
+  EXPECT_NE(choice(gathered, "cells"), "");
   EXPECT_LT(std::abs(std::stod(choice(gathered, "bias"))), 1.5);  // per cent: its error is about 0.3
 }
 
-// Gloss and mirrors are not cached; emitting meshes light the cache.
+// Gloss and mirrors share no estimate; emitting meshes light the cells.
 TEST(Gathered, AgreesWithCompensatedOnGlossAndMirrors)
 {
   SceneDescription d = furnishedRoom(0.5);

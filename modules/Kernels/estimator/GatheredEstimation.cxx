@@ -13,8 +13,8 @@ namespace kalos
 namespace
 {
 constexpr int trajectoriesPerRay = 16;  // of a replicate, for each gather ray of a receiver in that replicate
-constexpr int fewReplicates = 8;        // against 16: a tenth to a third less time, as their rays are better stratified
-constexpr float cellShare = 0.25f;      // width over distance, rounded down; against 1/8: half the time to 1 %
+constexpr int fewReplicates = 8;        // fewer are better stratified; their standard error is good to a quarter
+constexpr float cellShare = 0.25f;      // width over distance, rounded down to a power of two
 constexpr int checkEvery = 64;          // shared hits, for each that is estimated at its own place too
 constexpr std::size_t chunk = 64;       // cells that one task estimates
 
@@ -229,7 +229,7 @@ void GatheredEstimation::collect(std::size_t tile, int replicate, const Replicat
         sum[b] += value[b];
       }
       const double luminous = photometric(value, bands);
-      largest = std::max(largest, luminous);
+      largest = luminous >= 0 ? std::max(largest, luminous) : std::numeric_limits<double>::quiet_NaN();  // to stay
       check.sum += luminous;
       if (round.cache.cells()[hit.cell].hits < 2)
         continue;
@@ -279,25 +279,26 @@ std::vector<AuditLine> GatheredEstimation::audit() const
   if (this->Direct.complete() || this->Checks.empty())
     return lines;
   std::vector<double> excess(this->Replicates);
-  double rays = 0, shared = 0, sum = 0, cells = 0;
+  double rays = 0, shared = 0, sum = 0, count = 0;
   for (std::size_t i = 0; i < this->Checks.size(); ++i)
   {
     rays += this->Checks[i].rays;
     shared += this->Checks[i].shared;
     sum += this->Checks[i].sum;
-    cells += this->Checks[i].cells;
+    count += this->Checks[i].cells;
     excess[i % this->Replicates] += this->Checks[i].excess;
   }
   const MeanAndError bias = summarise(excess.data(), excess.size());
   const double scale = sum > 0 ? 100 * this->Replicates / sum : 0;
-  std::ostringstream cache, share, amount;
-  cache << std::setprecision(3) << rays / std::max(1.0, cells) << " gather rays per cell";
-  share << std::setprecision(3) << 100 * shared / std::max(1.0, rays) << " % of the rays share theirs";
+  std::ostringstream cells, share, amount;
+  cells << std::setprecision(3) << rays / std::max(1.0, count) << " gather rays per cell";
+  share << std::setprecision(3) << 100 * shared / std::max(1.0, rays)
+        << " % of the rays share an estimate with others; cells are as wide as a share of the viewing distance";
   amount << std::showpos << std::setprecision(2) << scale * bias.mean << " +- " << std::noshowpos
          << scale * bias.standardError << " %";
-  lines.push_back({"kernel", "gathered", "fast, with a bias that falls with the cells of its cache"});
-  lines.push_back({"surface cache", cache.str(), share.str()});
-  lines.push_back({"bias", amount.str(), "of the reflected light, measured by rays that do without the cache"});
+  lines.push_back({"kernel", "gathered", "fast, with a bias that falls with the width of its cells"});
+  lines.push_back({"cells", cells.str(), share.str()});
+  lines.push_back({"bias", amount.str(), "of the gathered light, measured by rays that share no estimate"});
   return lines;
 }
 }  // namespace kalos
