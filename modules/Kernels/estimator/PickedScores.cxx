@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/PickedScores.h"
 
+#include <cmath>
+#include <limits>
+
 namespace kalos
 {
 namespace
@@ -77,6 +80,14 @@ std::uint64_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sen
   return hidden;
 }
 
+// A total that is none can not be picked from, and must not pass for nothing.
+double addNoNumber(const VertexSet& v, double* sum)
+{
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::fill_n(sum, v.flux.size(), none);
+  return none;
+}
+
 // The general case: pairs with BRDF factors.
 double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block, const ShadowPicks& shadows,
                       double* sum)
@@ -98,6 +109,8 @@ double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block
   }
   const auto largest = static_cast<double>(scores.largest);
   const double total = scores.total();
+  if (!std::isfinite(total))
+    return addNoNumber(v, sum);
   const Picks picks = pickSystematically(scores, total, shadows);
   int vertices[ShadowPicks::mostPicks];
   for (int k = 0; k < picks.count; ++k)
@@ -131,6 +144,8 @@ double addPickedScores(const VertexSet& v, std::size_t begin, int count, const S
   scoreTile(tile, sensor, share, scores);
   const auto largest = static_cast<double>(scores.largest);
   const double total = scores.total();
+  if (!std::isfinite(total))
+    return addNoNumber(v, sum);
   if (!(total > 0))
     return 0;
   if (!shadows.rays)
