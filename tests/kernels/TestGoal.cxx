@@ -15,7 +15,8 @@ constexpr int replicates = 16;
 // Two receivers of 100 lx and 0.01 lx whose replicates alternate by `spread` lx about that, and one that is dark.
 Tally alternating(double spread)
 {
-  Tally tally(3, replicates, 1);
+  static const Scene scene(rooms::furnace(0.5, 100));
+  Tally tally(scene, 3, replicates);
   for (int p = 0; p < replicates; ++p)
   {
     *tally.total(0, p) = 100 + (p % 2 ? spread : -spread);
@@ -30,6 +31,14 @@ Result judged(const Settings& settings, const Tally& tally)
   tally.write(1, result);
   Goal(settings, replicates).judge(result);
   return result;
+}
+
+std::string reasonOfError(const Result& result)
+{
+  for (const AuditLine& line : result.audit)
+    if (line.subject == "error")
+      return line.reason;
+  return {};
 }
 
 constexpr char missed = static_cast<char>(GoalStatus::Missed), within = static_cast<char>(GoalStatus::WithinError),
@@ -81,7 +90,7 @@ TEST(Goal, EndsWhereHardlyAnyLightComes)
   EXPECT_LT(result.illuminance[0], 0.01 * result.illuminance[1]);
   EXPECT_EQ(result.goal, (std::vector<char>{below, within, within}));
   EXPECT_LT(result.trajectories, s.trajectories / 16);
-  EXPECT_EQ(result.audit.back().subject, "error");
+  EXPECT_NE(reasonOfError(result), "");
 }
 
 TEST(Goal, SaysWhatWasMissedAndWhy)
@@ -95,7 +104,7 @@ TEST(Goal, SaysWhatWasMissedAndWhy)
   s.trajectories = 512;
   const Result result = solve(scene, receivers, s);
   EXPECT_EQ(result.goal, (std::vector<char>{missed, missed}));
-  EXPECT_EQ(result.audit.back().reason, "all trajectories allowed were used before");
+  EXPECT_EQ(reasonOfError(result), "all trajectories allowed were used before");
 }
 
 // 200 solves of a white furnace of 200 lx that stop at 4 %: 4 receivers each, from 1 mm to 2.5 m of an edge. The share
