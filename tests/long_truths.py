@@ -14,7 +14,7 @@ import numpy as np
 from scipy import stats
 
 from kalos.estimator import METHODS
-from kalos.validate import CASES, DATA, FALSE_ALARM, OFFSET, REPLICATES, solve_receivers
+from kalos.validate import CASES, DATA, FALSE_ALARM, OFFSET, solve_receivers
 
 UNBIASED = ("compensated", "local", "direct")
 TRAJECTORIES = 640
@@ -32,7 +32,7 @@ def figures(case, method, seeds):
     offset = np.maximum(np.abs(values.mean(axis=0) - truth) - OFFSET * truth.max(), 0)
     spread = values.std(axis=0, ddof=1) / np.sqrt(seeds)
     z = np.divide(offset, spread, out=np.where(offset > 0, np.inf, 0.0), where=spread > 0)
-    covered = np.abs(values - truth) <= stats.t.isf(0.025, REPLICATES - 1) * errors + OFFSET * truth.max()
+    covered = np.abs(values - truth) <= stats.t.isf(0.025, sets[0].replicates.shape[1] - 1) * errors + OFFSET * truth.max()
     return float(z.max()), float(covered.mean()), len(truth)
 
 

@@ -17,7 +17,7 @@ PACKAGE = Path(__file__).resolve().parent
 DATA = PACKAGE.parents[1] / "data"  # of the source tree
 if not DATA.exists():
     DATA = PACKAGE.parents[3] / "share" / "kalos" / "data"  # of an installed one
-REPLICATES = 32  # of every estimate; its standard error has one degree of freedom less
+REPLICATES = 32  # of an estimate, but for `gathered`; its standard error has one degree of freedom less
 OFFSET = 1e-5  # of the largest value: receivers are lifted off their surface by micrometres, so that it cannot hide them
 FALSE_ALARM = 1e-4  # chance that a sound method fails a case, however many points the case has
 
@@ -90,13 +90,13 @@ def allowed_deviation(points, false_alarm=FALSE_ALARM, freedom=REPLICATES - 1):
     return float(stats.t.isf(single / 2, freedom))
 
 
-def judge(estimate, standard_error, truth, precision, false_alarm=FALSE_ALARM):
+def judge(estimate, standard_error, truth, precision, false_alarm=FALSE_ALARM, freedom=REPLICATES - 1):
     """The verdict on estimates of known values. A value without noise may be off by OFFSET."""
     deviation = np.maximum(np.abs(estimate - truth) - OFFSET * np.max(np.abs(truth)), 0)
     in_errors = np.divide(deviation, standard_error, out=np.where(deviation > 0, np.inf, 0.0), where=standard_error > 0)
     lit = truth > 0
     relative = np.max(standard_error[lit] / truth[lit])
-    return Verdict(len(truth), float(in_errors.max()), allowed_deviation(len(truth), false_alarm), float(relative),
+    return Verdict(len(truth), float(in_errors.max()), allowed_deviation(len(truth), false_alarm, freedom), float(relative),
                    precision)
 
 
@@ -124,7 +124,7 @@ def examine_once(case, options, data=DATA):
     truth = np.concatenate([case.truth(r.points, r.normals) for r in sets])
     estimate = np.concatenate([r.illuminance for r in sets])
     error = np.concatenate([r.standard_error for r in sets])
-    return judge(estimate, error, truth, case.precision)
+    return judge(estimate, error, truth, case.precision, freedom=sets[0].replicates.shape[1] - 1)
 
 
 def available_methods(data, seed):

@@ -32,6 +32,14 @@ Result judged(const Settings& settings, const Tally& tally)
   return result;
 }
 
+std::string reasonOfError(const Result& result)
+{
+  for (const AuditLine& line : result.audit)
+    if (line.subject == "error")
+      return line.reason;
+  return {};
+}
+
 constexpr char missed = static_cast<char>(GoalStatus::Missed), within = static_cast<char>(GoalStatus::WithinError),
                below = static_cast<char>(GoalStatus::BelowFloor);
 }  // namespace
@@ -81,7 +89,7 @@ TEST(Goal, EndsWhereHardlyAnyLightComes)
   EXPECT_LT(result.illuminance[0], 0.01 * result.illuminance[1]);
   EXPECT_EQ(result.goal, (std::vector<char>{below, within, within}));
   EXPECT_LT(result.trajectories, s.trajectories / 16);
-  EXPECT_EQ(result.audit.back().subject, "error");
+  EXPECT_NE(reasonOfError(result), "");
 }
 
 TEST(Goal, SaysWhatWasMissedAndWhy)
@@ -95,7 +103,7 @@ TEST(Goal, SaysWhatWasMissedAndWhy)
   s.trajectories = 512;
   const Result result = solve(scene, receivers, s);
   EXPECT_EQ(result.goal, (std::vector<char>{missed, missed}));
-  EXPECT_EQ(result.audit.back().reason, "all trajectories allowed were used before");
+  EXPECT_EQ(reasonOfError(result), "all trajectories allowed were used before");
 }
 
 // 200 solves of a white furnace of 200 lx that stop at 4 %: 4 receivers each, from 1 mm to 2.5 m of an edge. The share

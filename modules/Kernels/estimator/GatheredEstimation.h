@@ -1,26 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Method `gathered`: the fast one; consistent, with a bias that it measures and reports.
 //
-// First pass: what reaches the surfaces by reflection, on a cache of points (estimator/SurfaceCache.h) that the
-// receivers were found to see, by the same vertices and gather rays as `compensated`. Second pass: stratified
-// cosine-weighted rays from each receiver; where one ends, E = direct light of the luminaires there, with one shadow
-// ray, + what the cache holds, and the receiver is lit by (M0 + rho E)/pi. Where a ray ends nearer than a cell, or on
-// gloss or a mirror, or where the cache holds nothing, the unbiased gather ray of `compensated` takes its place.
+// Stratified cosine-weighted rays leave each receiver, in packets. Where one ends, the receiver is lit by (M0 + rho
+// E)/pi. Hits that lie together, as seen from the receivers, share one E: they are sorted into cells
+// (estimator/SurfaceCache.h), and E is estimated at one hit of each, drawn uniformly, without bias: direct light, a
+// block of the trajectories' vertices, and a gather ray for what these leave (Gathering::illuminance). Near an edge
+// cells are as small as the distance asks; where a cell has one hit, nothing is shared. Where a ray ends on gloss or a
+// mirror, the unbiased gather ray of `compensated` takes its place.
 //
-// Bias: the cache's interpolation, second order in the cell. One cached ray in 32 is estimated without the cache too;
-// the mean difference is the bias that audit() states with its standard error. Each replicate has values of its own in
-// the cache, so that standard errors include the cache's noise. Source: radiosity with final gathering (Lischinski,
-// Tampieri and Greenberg 1993), its radiosity estimated without bias.
+// Bias: none in the mean over the receivers that share a cell; between them, light is spread over the cell. It is
+// second order in the cell's width over its distance. One shared hit in `checkEvery` is estimated at its own place too;
+// audit() states the mean of the difference with its standard error. Each replicate has cells of its own, so that
+// standard errors include everything. Source: radiosity with final gathering (Lischinski, Tampieri and Greenberg 1993),
+// its radiosity estimated on demand and without bias.
+//
+// Cornell desk plane, one scene: 0.25 s for 2 %, 0.54 s for 1 %, against 0.52 and 1.38 s of a cache of fixed cells.
 #ifndef kalos_estimator_GatheredEstimation_h
 #define kalos_estimator_GatheredEstimation_h
 
-#include "estimator/CompensatedLight.h"
 #include "estimator/DirectPart.h"
 #include "estimator/Estimator.h"
+#include "estimator/Gathering.h"
 #include "estimator/SurfaceCache.h"
 
 namespace kalos
 {
+class GatherPattern;
+
 class GatheredEstimation : public Estimator
 {
 public:
@@ -31,31 +37,44 @@ public:
   int replicates(long long trajectories) const override;
   void exchange(const Ranks& ranks) override;
   void persist(Archive& archive) override;
-  void exchangeState(const Ranks& ranks) override;
   std::vector<AuditLine> audit() const override;
 
 private:
-  // Luminous sums over the cached rays of one replicate and tile.
+  // What the rays of one tile and replicate have found in a round.
+  struct Looks
+  {
+    std::vector<SurfaceHit> hits;
+    std::vector<std::size_t> ends;  // of each receiver's hits
+  };
+  // One replicate's round.
+  struct Replicate
+  {
+    GatherPool pool;
+    SurfaceCache cache;
+    std::vector<double> illuminance;  // lx, bands() values per cell
+  };
+  // Luminous sums over the rays of one replicate and tile.
   struct Check
   {
-    double excess = 0;  // of cached values over unbiased ones, lx
+    double excess = 0;  // of cells over the hits' own places, lx
     double sum = 0;     // of all rays, lx
-    long long rays = 0, cached = 0;
+    double rays = 0, shared = 0;
+    double cells = 0;  // of the whole replicate, with its first tile
   };
-  bool layCache(Workers& workers);
-  bool fillCache(const Round& round, Workers& workers);
-  void gather(std::size_t r, int replicate, const Round& round, Tally& tally, Check& check) const;
-  bool fromCache(const SurfacePoint& y, int replicate, SampleStream& random, Bands& e) const;
+  void look(std::size_t tile, int replicate, const Replicate& round, int rays, Looks& looks, Tally& tally) const;
+  void lookAt(std::size_t receiver, int replicate, const Replicate& round, const GatherPattern& pattern, Looks& looks,
+              Tally& tally) const;
+  Bands illuminance(const SurfaceHit& hit, std::size_t cell, int replicate, const GatherPool& pool) const;
+  void collect(std::size_t tile, int replicate, const Replicate& round, int rays, const Looks& looks, Tally& tally,
+               Check& check) const;
 
   const Scene& Lit;
   Settings Wanted;
   Emission Source;
   DirectPart Direct;
-  CompensatedLight Light;
-  SurfaceCache Cache;
-  std::vector<Sensor> CacheSensors;
-  std::unique_ptr<Tally> Cached;  // sums over Trajectories trajectories of each replicate
-  long long Trajectories = 0;
+  Gathering Rays;
+  std::vector<Face> Faces;
+  long long RaysDone = 0;     // of each receiver in each replicate
   std::vector<Check> Checks;  // per tile and replicate
   int Replicates = 0;
 };

@@ -15,7 +15,7 @@ Gathering::Gathering(const Scene& scene, const Emission& emission, const Setting
 {
 }
 
-double Gathering::blockShare(int trajectories) const
+double Gathering::blockShare(int trajectories, int blockSize) const
 {
   // One gather ray against the trajectories that a block stands for.
   const double vertices = std::max(this->Density.collisions(), this->Density.starts()) * trajectories;
@@ -53,113 +53,138 @@ bool Gathering::draw(const Sensor& sensor, SampleStream& random, Ray& ray, Bands
 Bands Gathering::gather(const Sensor& sensor, const GatherPool& pool, const Start& start, SampleStream& random,
                         Bands& emission) const
 {
-  const int bands = this->Lit.bands();
-  const double later = this->blockShare(pool.trajectories);
-  double share = start.share;
-  bool seesEmission = start.seesEmission;
-  Sensor at = sensor;
-  Bands sum{}, throughput = uniformBands(1);
-  for (bool first = true;; first = false)
-  {
-    // Find what the sensor sees in a direction of its response.
-    Ray ray;
-    if (!this->draw(at, random, ray, throughput))
-      return sum;
-    const SurfacePoint y = this->Lit.trace(at.position, at.normal, ray.direction);
-    if (ray.mirror)
-      this->Luminaires.addSeen(at.anchor.lifted, ray.direction, y, throughput, sum);
-    if (!y.valid)
-      return sum;
-    const Vec3 d = y.position - at.position;
-    const double kernel = ray.density * -dot(ray.direction, y.normal) / dot(d, d);  // G, for a Lambertian sensor
-    const double ratio =
-        ray.mirror ? std::numeric_limits<double>::infinity() : kernel * share / this->Density.density(y.position);
-
-    // Add what it emits, less the share that starts on meshes score.
-    const Material& material = this->Lit.material(y.triangle);
-    if (y.front && (ray.mirror || seesEmission) && photometric(material.exitance, bands) > 0)
-    {
-      const double gathered = ray.mirror ? 1 : gatheredShare(kernel * share / this->Density.startDensity(material));
-      for (int b = 0; b < bands; ++b)
-      {
-        const double e = throughput[b] * gathered * material.exitance[b];
-        sum[b] += e;
-        if (first && !ray.mirror)
-          emission[b] += e;
-      }
-    }
-
-    // Become the sensor there: its illuminance, or its response towards here.
-    Sensor next(this->Lit, y.position, y.normal);
-    const Brdf& brdf = this->Lit.brdf(y.triangle);
-    if (brdf.isLambertian())
-      for (int b = 0; b < bands; ++b)
-        throughput[b] *= gatheredShare(ratio) * material.reflectance[b];
-    else
-    {
-      next.brdf = &brdf;
-      next.outgoing = -ray.direction;
-      next.ratio = ratio;
-    }
-    const double luminous = photometric(throughput, bands);
-    if (!(luminous > 0))
-      return sum;
-    // Three times what roulette on the throughput alone would keep: ending paths early is what costs variance at edges.
-    auto survives = [&] {
-      const double survival = std::min(1.0, 3 * luminous);
-      if (random.next() >= survival)
-        return false;
-      for (int b = 0; b < bands; ++b)
-        throughput[b] /= survival;
-      return true;
-    };
-    if (!first && !survives())
-      return sum;
-    this->addVertexLight(next, pool, random, throughput, sum);
-    if ((ray.mirror || std::isinf(share)) && this->Mirrored.any())
-    {
-      // Vertices lit from a point by mirrors score elsewhere at full weight, but nowhere by a mirror again.
-      const Bands images = this->Mirrored.illuminance(next);
-      for (int b = 0; b < bands; ++b)
-        sum[b] += throughput[b] * images[b];
-    }
-    if (first && !survives())
-      return sum;
-
-    at = next;
-    share = later;
-    seesEmission = true;
-  }
+  Chain chain{sensor, uniformBands(1), start.share, start.seesEmission};
+  Bands sum{};
+  this->finish(chain, pool, random, sum, emission);
+  return sum;
 }
 
-Bands Gathering::luminaireLight(const Sensor& sensor, SampleStream& random) const
+Bands Gathering::follow(const Sensor& sensor, const Vec3& direction, const SurfacePoint& y, const GatherPool& pool,
+                        const Start& start, SampleStream& random, Bands& emission) const
 {
-  thread_local DirectLight::View scratch;
-  Bands light = this->Luminaires.sample(sensor, random, scratch);
-  if (!this->Mirrored.any())
-    return light;
-  const Bands images = this->Mirrored.illuminance(sensor);
-  for (int b = 0; b < this->Lit.bands(); ++b)
-    light[b] += images[b];
-  return light;
+  Chain chain{sensor, uniformBands(1), start.share, start.seesEmission};
+  Bands sum{};
+  const Ray ray{direction, dot(direction, sensor.normal) / pi, false};
+  if (this->advance(chain, ray, y, pool, random, sum, emission))
+    this->finish(chain, pool, random, sum, emission);
+  return sum;
 }
 
-void Gathering::addVertexLight(const Sensor& sensor, const GatherPool& pool, SampleStream& random,
+Bands Gathering::illuminance(const Sensor& sensor, const GatherPool& pool, SampleStream& random) const
+{
+  Chain chain{sensor, uniformBands(1), this->blockShare(pool.trajectories, cellBlock), true, false};
+  Bands sum{}, unused{};
+  this->addVertexLight(sensor, pool, cellBlock, random, chain.throughput, sum);
+  if (this->Mirrored.any())
+  {
+    const Bands images = this->Mirrored.illuminance(sensor);
+    for (int b = 0; b < this->Lit.bands(); ++b)
+      sum[b] += images[b];
+  }
+  this->finish(chain, pool, random, sum, unused);
+  return sum;
+}
+
+void Gathering::finish(Chain& chain, const GatherPool& pool, SampleStream& random, Bands& sum, Bands& emission) const
+{
+  // Find what the sensor sees in a direction of its response.
+  Ray ray;
+  while (this->draw(chain.at, random, ray, chain.throughput) &&
+         this->advance(chain, ray, this->Lit.trace(chain.at.position, chain.at.normal, ray.direction), pool, random,
+                       sum, emission))
+    continue;
+}
+
+bool Gathering::advance(Chain& chain, const Ray& ray, const SurfacePoint& y, const GatherPool& pool,
+                        SampleStream& random, Bands& sum, Bands& emission) const
+{
+  const int bands = this->Lit.bands();
+  const double later = this->blockShare(pool.trajectories, rayBlock), share = chain.share;
+  const Sensor& at = chain.at;
+  Bands& throughput = chain.throughput;
+  const bool first = chain.first;
+  if (ray.mirror)
+    this->Luminaires.addSeen(at.anchor.lifted, ray.direction, y, throughput, sum);
+  if (!y.valid)
+    return false;
+  const Vec3 d = y.position - at.position;
+  const double kernel = ray.density * -dot(ray.direction, y.normal) / dot(d, d);  // G, for a Lambertian sensor
+  const double ratio =
+      ray.mirror ? std::numeric_limits<double>::infinity() : kernel * share / this->Density.density(y.position);
+
+  // Add what it emits, less the share that starts on meshes score.
+  const Material& material = this->Lit.material(y.triangle);
+  if (y.front && (ray.mirror || chain.seesEmission) && photometric(material.exitance, bands) > 0)
+  {
+    const double gathered = ray.mirror ? 1 : gatheredShare(kernel * share / this->Density.startDensity(material));
+    for (int b = 0; b < bands; ++b)
+    {
+      const double e = throughput[b] * gathered * material.exitance[b];
+      sum[b] += e;
+      if (first && !ray.mirror)
+        emission[b] += e;
+    }
+  }
+
+  // Become the sensor there: its illuminance, or its response towards here.
+  Sensor next(this->Lit, y.position, y.normal);
+  const Brdf& brdf = this->Lit.brdf(y.triangle);
+  if (brdf.isLambertian())
+    for (int b = 0; b < bands; ++b)
+      throughput[b] *= gatheredShare(ratio) * material.reflectance[b];
+  else
+  {
+    next.brdf = &brdf;
+    next.outgoing = -ray.direction;
+    next.ratio = ratio;
+  }
+  const double luminous = photometric(throughput, bands);
+  if (!(luminous > 0))
+    return false;
+  // Three times what roulette on the throughput alone would keep: ending paths early is what costs variance at edges.
+  auto survives = [&] {
+    const double survival = std::min(1.0, 3 * luminous);
+    if (random.next() >= survival)
+      return false;
+    for (int b = 0; b < bands; ++b)
+      throughput[b] /= survival;
+    return true;
+  };
+  if (!first && !survives())
+    return false;
+  this->addVertexLight(next, pool, rayBlock, random, throughput, sum);
+  if ((ray.mirror || std::isinf(share)) && this->Mirrored.any())
+  {
+    // Vertices lit from a point by mirrors score elsewhere at full weight, but nowhere by a mirror again.
+    const Bands images = this->Mirrored.illuminance(next);
+    for (int b = 0; b < bands; ++b)
+      sum[b] += throughput[b] * images[b];
+  }
+  if (first && !survives())
+    return false;
+  chain.at = next;
+  chain.share = later;
+  chain.seesEmission = true;
+  chain.first = false;
+  return true;
+}
+
+void Gathering::addVertexLight(const Sensor& sensor, const GatherPool& pool, int blockSize, SampleStream& random,
                                const Bands& throughput, Bands& sum) const
 {
   thread_local DirectLight::View scratch;
   const Bands direct = this->Luminaires.sample(sensor, random, scratch);
-  const double share = this->blockShare(pool.trajectories);
+  const double share = this->blockShare(pool.trajectories, blockSize);
   Bands vertices{};
-  this->scoreBlock(sensor, pool.vertices->reflected, share, random, vertices);
-  this->scoreBlock(sensor, pool.vertices->glossy, share, random, vertices);
-  this->scoreBlock(sensor, pool.vertices->emitted, share, random, vertices);
+  this->scoreBlock(sensor, pool.vertices->reflected, blockSize, share, random, vertices);
+  this->scoreBlock(sensor, pool.vertices->glossy, blockSize, share, random, vertices);
+  this->scoreBlock(sensor, pool.vertices->emitted, blockSize, share, random, vertices);
   for (int b = 0; b < this->Lit.bands(); ++b)
     sum[b] += throughput[b] * (direct[b] + vertices[b] / pool.trajectories);
 }
 
-void Gathering::scoreBlock(const Sensor& sensor, const VertexSet& set, double share, SampleStream& random,
-                           Bands& sum) const
+void Gathering::scoreBlock(const Sensor& sensor, const VertexSet& set, int blockSize, double share,
+                           SampleStream& random, Bands& sum) const
 {
   if (set.size() == 0)
     return;

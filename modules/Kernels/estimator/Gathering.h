@@ -38,11 +38,18 @@ public:
   Bands gather(const Sensor& sensor, const GatherPool& pool, const Start& start, SampleStream& random,
                Bands& emission) const;
 
-  /// All light that reaches a sensor from luminaires, straight or by mirrors, with one shadow ray for the former.
-  Bands luminaireLight(const Sensor& sensor, SampleStream& random) const;
+  /// The same along a ray that is given, of a sensor without BRDF that met the surface point y.
+  Bands follow(const Sensor& sensor, const Vec3& direction, const SurfacePoint& y, const GatherPool& pool,
+               const Start& start, SampleStream& random, Bands& emission) const;
+
+  /// All light at a sensor without BRDF, lx per band: of the luminaires, by a block of the pool's vertices, and by a
+  /// gather ray that takes what these leave.
+  Bands illuminance(const Sensor& sensor, const GatherPool& pool, SampleStream& random) const;
 
 private:
-  static constexpr int blockSize = 64;  // vertices scored where a gather ray ends
+  // Vertices scored where a gather ray ends, and for an estimate that many rays share.
+  static constexpr int rayBlock = 64, cellBlock = 256;
+  static_assert(cellBlock <= VertexTile::capacity, "a block is scored as one tile");
 
   struct Ray
   {
@@ -50,11 +57,24 @@ private:
     double density;  // per sr
     bool mirror;
   };
+  // Where a chain of gather rays has come to, and what its sensor's light weighs.
+  struct Chain
+  {
+    Sensor at;
+    Bands throughput = uniformBands(1);
+    double share;
+    bool seesEmission, first = true;
+  };
+  // Follows a ray that has met y; false when the chain has ended.
+  bool advance(Chain& chain, const Ray& ray, const SurfacePoint& y, const GatherPool& pool, SampleStream& random,
+               Bands& sum, Bands& emission) const;
+  void finish(Chain& chain, const GatherPool& pool, SampleStream& random, Bands& sum, Bands& emission) const;
   bool draw(const Sensor& sensor, SampleStream& random, Ray& ray, Bands& throughput) const;
-  double blockShare(int trajectories) const;
-  void addVertexLight(const Sensor& sensor, const GatherPool& pool, SampleStream& random, const Bands& throughput,
-                      Bands& sum) const;
-  void scoreBlock(const Sensor& sensor, const VertexSet& set, double share, SampleStream& random, Bands& sum) const;
+  double blockShare(int trajectories, int blockSize) const;
+  void addVertexLight(const Sensor& sensor, const GatherPool& pool, int blockSize, SampleStream& random,
+                      const Bands& throughput, Bands& sum) const;
+  void scoreBlock(const Sensor& sensor, const VertexSet& set, int blockSize, double share, SampleStream& random,
+                  Bands& sum) const;
 
   const Scene& Lit;
   Pilot Density;

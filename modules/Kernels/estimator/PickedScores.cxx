@@ -81,7 +81,6 @@ std::uint64_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sen
   return hidden;
 }
 
-// The general case: pairs with BRDF factors.
 // A total that is none must not be picked from in silence: the sums and the score say so to whoever guards them.
 double addNone(std::size_t bands, double* sum)
 {
@@ -90,6 +89,7 @@ double addNone(std::size_t bands, double* sum)
   return none;
 }
 
+// The general case: pairs with BRDF factors.
 double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block, const ShadowPicks& shadows,
                       double* sum)
 {

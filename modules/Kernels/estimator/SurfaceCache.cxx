@@ -1,115 +1,84 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/SurfaceCache.h"
 
-#include "geometry/Vector.h"
+#include <cstring>
+
 #include "sampling/Random.h"
 
 namespace kalos
 {
-namespace
+std::vector<Face> facesOf(const Scene& scene)
 {
-constexpr double sameNormal = 0.95;  // cosine
-constexpr double samePlane = 0.05;   // of a cell
-
-std::size_t slotsFor(std::size_t records)
-{
-  std::size_t slots = 16;
-  while (slots < 4 * records)
-    slots *= 2;
-  return slots;
-}
-}  // namespace
-
-std::uint64_t SurfaceCache::keyAt(const Vec3& p, const Vec3& n) const
-{
-  // Half a cell off the origin, so that walls through the scene's centre lie inside their cells; and off the surface by
-  // more than rounding, so that a whole wall between two layers of cells falls into one.
-  const Vec3 q = (1 / this->Cell) * p + 0.25 * n;
-  auto index = [](double x) {
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x + 0.5))) & 0x7ffff;
-  };
-  const double largest = maxAbs(n);
-  const std::uint64_t axis = std::abs(n.x) == largest ? 0 : std::abs(n.y) == largest ? 1 : 2;
-  const double along = axis == 0 ? n.x : axis == 1 ? n.y : n.z;
-  return (((index(q.x) << 19 | index(q.y)) << 19 | index(q.z)) << 3) | axis << 1 | (along > 0 ? 1 : 0);
-}
-
-SurfaceCache::SurfaceCache(double cell, const std::vector<Record>& seen) : Cell(cell), Slots(slotsFor(seen.size()))
-{
-  for (Slot& s : this->Slots)
-    s = {0, -1};
-  struct Found
+  std::vector<Face> faces(scene.data().triangles.size());
+  for (std::uint32_t t = 0; t < faces.size(); ++t)
   {
-    Record best;
-    double distance;
-    int count;
-  };
-  std::vector<Found> found;
-  for (const Record& point : seen)
-  {
-    const Vec3 q = (1 / cell) * point.position;
-    const Vec3 inCell{q.x - std::floor(q.x + 0.5), q.y - std::floor(q.y + 0.5), q.z - std::floor(q.z + 0.5)};
-    const Vec3 off = inCell - dot(inCell, point.normal) * point.normal;
-    const std::uint64_t key = this->keyAt(point.position, point.normal);
-    Slot& s = this->slot(key);
-    if (s.record < 0)
-    {
-      s = {key, static_cast<int>(found.size())};
-      found.push_back({point, dot(off, off), 1});
-      continue;
-    }
-    Found& f = found[s.record];
-    ++f.count;
-    if (dot(off, off) < f.distance)
-    {
-      f.best = point;
-      f.distance = dot(off, off);
-    }
+    const Vec3& n = scene.normal(t);
+    const double largest = maxAbs(n);
+    Face& face = faces[t];
+    face.normal[0] = static_cast<float>(n.x);
+    face.normal[1] = static_cast<float>(n.y);
+    face.normal[2] = static_cast<float>(n.z);
+    face.plane = static_cast<float>(dot(n, scene.corner(t, 0)));
+    face.across = std::abs(n.x) == largest ? 0 : std::abs(n.y) == largest ? 1 : 2;
+    auto quarter = [](double x) { return static_cast<std::uint32_t>(std::floor(4 * x + 4.5)); };
+    face.key = quarter(n.x) << 8 | quarter(n.y) << 4 | quarter(n.z);
   }
-  // A cell that is seen once is seldom asked for: not worth a record.
-  for (Slot& s : this->Slots)
-    if (s.record >= 0)
-    {
-      const Found& f = found[s.record];
-      s.record = -2;
-      if (f.count < 2)
-        continue;
-      s.record = static_cast<int>(this->Records.size());
-      this->Records.push_back(f.best);
-    }
+  return faces;
 }
 
-SurfaceCache::Slot& SurfaceCache::slot(std::uint64_t key)
+std::uint64_t cellKey(const Face& face, const SurfaceHit& hit, float distance, float share)
 {
+  // The exponent of the width: 2^e, and 2^-e, from the bits of the float.
+  const float width = std::max(distance * share, 1e-6f);
+  std::uint32_t bits;
+  std::memcpy(&bits, &width, sizeof bits);
+  const std::uint32_t exponent = bits >> 23, inverseBits = (254 - exponent) << 23;
+  float inverse;
+  std::memcpy(&inverse, &inverseBits, sizeof inverse);
+  auto index = [&](float x) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x * inverse))); };
+  const float u = hit.position[face.across == 0 ? 1 : 0], v = hit.position[face.across == 2 ? 1 : 2];
+  const std::uint64_t level = static_cast<std::uint64_t>(face.key) << 16 | exponent << 1 | (hit.side & 1);
+  // Off the origin: planes through the scene's centre would lie between two layers.
+  const std::uint64_t layer = index(4 * face.plane + 0.37f / inverse);
+  return mixBits(mixBits(index(u) ^ index(v) << 32) + mixBits(layer << 32 ^ level));
+}
+
+void SurfaceCache::add(SurfaceHit& hit, std::uint64_t seed)
+{
+  if (2 * this->Cells.size() >= this->Slots.size())
+    this->grow();
   const std::size_t mask = this->Slots.size() - 1;
-  std::size_t i = mixBits(key) & mask;
-  while (this->Slots[i].record != -1 && this->Slots[i].key != key)
+  std::size_t i = hit.cell & mask;
+  while (this->Slots[i].cell >= 0 && this->Slots[i].key != hit.cell)
     i = (i + 1) & mask;
-  return this->Slots[i];
+  Slot& slot = this->Slots[i];
+  if (slot.cell < 0)
+  {
+    slot = {hit.cell, static_cast<std::int32_t>(this->Cells.size())};
+    this->Cells.emplace_back();
+  }
+  // Of the first n hits each has been kept with probability 1/n.
+  Cell& cell = this->Cells[slot.cell];
+  ++cell.hits;
+  const std::uint64_t random = mixBits(seed + ++this->Added) >> 32;
+  if (random * static_cast<std::uint64_t>(cell.hits) < 1ull << 32)
+    cell.representative = hit;
+  hit.cell = static_cast<std::uint64_t>(slot.cell);
 }
 
-int SurfaceCache::match(const Vec3& at, const Vec3& p, const Vec3& n) const
+void SurfaceCache::grow()
 {
-  if (this->Slots.empty())
-    return -1;
-  const std::uint64_t key = this->keyAt(at, n);
+  std::vector<Slot> old(std::max<std::size_t>(64, 4 * this->Slots.size()));
+  old.swap(this->Slots);
   const std::size_t mask = this->Slots.size() - 1;
-  for (std::size_t i = mixBits(key) & mask; this->Slots[i].record != -1; i = (i + 1) & mask)
-    if (this->Slots[i].key == key)
-    {
-      const int found = this->Slots[i].record;
-      if (found < 0)
-        return -1;
-      const Record& r = this->Records[found];
-      return dot(r.normal, n) > sameNormal && std::abs(dot(r.position - p, n)) < samePlane * this->Cell ? found : -1;
-    }
-  return -1;
-}
-
-int SurfaceCache::find(const Vec3& p, const Vec3& n, double u, double v) const
-{
-  const Frame frame(n);
-  const int shifted = this->match(p + this->Cell * frame.toWorld({u - 0.5, v - 0.5, 0}), p, n);
-  return shifted >= 0 ? shifted : this->match(p, p, n);
+  for (const Slot& slot : old)
+  {
+    if (slot.cell < 0)
+      continue;
+    std::size_t i = slot.key & mask;
+    while (this->Slots[i].cell >= 0)
+      i = (i + 1) & mask;
+    this->Slots[i] = slot;
+  }
 }
 }  // namespace kalos

@@ -1,50 +1,69 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points on the surfaces, at most one per cell of a grid and direction of the normal, that stand for their
-// surroundings.
+// The cells of surfaces that gather rays of one replicate and round have hit, each with one of its hits that stands for
+// all of them.
+//
+// A cell is as wide as a share of the distance that it is seen from, rounded down to a power of two, and lies in the
+// plane of its triangle. Its representative is drawn uniformly among its hits: what the cell's hits take from it is
+// right in the mean over them, whatever the surface does inside the cell.
 #ifndef kalos_estimator_SurfaceCache_h
 #define kalos_estimator_SurfaceCache_h
 
 #include <cstdint>
 #include <vector>
 
-#include "geometry/Vector.h"
+#include "scene/Scene.h"
 
 namespace kalos
 {
+/// A side of a triangle, as cells need it.
+struct Face
+{
+  float normal[3];       ///< unit, of the front
+  float plane;           ///< normal . p, m
+  std::uint32_t across;  ///< axis (0, 1, 2) nearest to the normal
+  std::uint32_t key;     ///< of the normal's direction, to a quarter
+};
+std::vector<Face> facesOf(const Scene& scene);
+
+/// Where a gather ray has hit.
+struct SurfaceHit
+{
+  float position[3];   ///< m
+  std::uint32_t side;  ///< twice the triangle, plus 1 for its front
+  std::uint64_t cell;  ///< key of its cell; the cell's index once SurfaceCache::add() has seen it
+};
+
+/// Key of the cell about a hit that is seen from `distance` (m), `share` of it wide: equal only for hits on parallel
+/// sides of one plane, of one cell.
+std::uint64_t cellKey(const Face& face, const SurfaceHit& hit, float distance, float share);
+
 class SurfaceCache
 {
 public:
-  struct Record
+  struct Cell
   {
-    Vec3 position, normal;  ///< a point of the surface, and its side
+    SurfaceHit representative;
+    int hits = 0;
   };
 
-  SurfaceCache() = default;
-  /// Chooses records among points of surfaces, seen from their sides `normal`: in every cell of side `cell` (m) that
-  /// holds two points or more the one that is nearest to the cell's centre. Depends on their order only between equals.
-  SurfaceCache(double cell, const std::vector<Record>& seen);
+  /// Sorts a hit into its cell. Order decides which hit represents a cell, so it must not depend on threads. Random
+  /// numbers are hashes of `seed` and of the order.
+  void add(SurfaceHit& hit, std::uint64_t seed);
 
-  double cell() const { return this->Cell; }
-  const std::vector<Record>& records() const { return this->Records; }
-
-  /// The record that stands for point p of a surface with unit normal n, or -1: one in the cell about p whose normal
-  /// is within 18 degrees and whose plane is within a twentieth of a cell. Shifting p by a random part of a cell, u and
-  /// v in [0,1) along the surface, interpolates between neighbours on average.
-  int find(const Vec3& p, const Vec3& n, double u, double v) const;
+  const std::vector<Cell>& cells() const { return this->Cells; }
+  std::size_t hits() const { return this->Added; }
 
 private:
   struct Slot
   {
-    std::uint64_t key;
-    int record;  // or -1: free
+    std::uint64_t key = 0;
+    std::int32_t cell = -1;  // or -1: free
   };
-  std::uint64_t keyAt(const Vec3& p, const Vec3& n) const;
-  Slot& slot(std::uint64_t key);
-  int match(const Vec3& at, const Vec3& p, const Vec3& n) const;
+  void grow();
 
-  double Cell = 1;
-  std::vector<Record> Records;
+  std::vector<Cell> Cells;
   std::vector<Slot> Slots;  // open addressing, a power of two of them
+  std::size_t Added = 0;
 };
 }  // namespace kalos
 

@@ -81,6 +81,27 @@ RTCRay makeRay(const Vec3& origin, const Vec3& direction, float far)
   return ray;
 }
 
+// The first `count` segments as rays that end `far` of their lengths away.
+void fill(const SegmentPacket& segments, int count, float far, int* valid, RTCRay16& rays)
+{
+  std::memcpy(rays.org_x, segments.ox, sizeof segments.ox);
+  std::memcpy(rays.org_y, segments.oy, sizeof segments.oy);
+  std::memcpy(rays.org_z, segments.oz, sizeof segments.oz);
+  std::memcpy(rays.dir_x, segments.dx, sizeof segments.dx);
+  std::memcpy(rays.dir_y, segments.dy, sizeof segments.dy);
+  std::memcpy(rays.dir_z, segments.dz, sizeof segments.dz);
+  for (int i = 0; i < SegmentPacket::width; ++i)
+  {
+    valid[i] = i < count ? -1 : 0;
+    rays.tnear[i] = 0;
+    rays.tfar[i] = far;
+    rays.time[i] = 0;
+    rays.mask[i] = ~0u;
+    rays.id[i] = 0;
+    rays.flags[i] = 0;
+  }
+}
+
 // A query that reports every crossing: the filter notes the triangle and rejects the hit, so that traversal goes on.
 struct CrossingQuery
 {
@@ -234,6 +255,31 @@ Hit RayScene::intersect(const RayAnchor& start, const Vec3& direction) const
   return this->Impl->first(start, direction + 0x1.0p-19 * length(direction) * Frame(normalized(direction)).s);
 }
 
+void RayScene::intersect(const SegmentPacket& rays, int count, HitPacket& hits) const
+{
+  countRays(count);
+  alignas(64) int valid[SegmentPacket::width];
+  alignas(64) RTCRayHit16 query;
+  fill(rays, count, std::numeric_limits<float>::infinity(), valid, query.ray);
+  for (int i = 0; i < SegmentPacket::width; ++i)
+  {
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.primID[i] = HitPacket::noTriangle;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+#if KALOS_EMBREE_VERSION >= 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  rtcIntersect16(valid, this->Impl->scene, &query, &arguments);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect16(valid, this->Impl->scene, &context, &query);
+#endif
+  std::memcpy(hits.triangle, query.hit.primID, sizeof hits.triangle);
+  std::memcpy(hits.distance, query.ray.tfar, sizeof hits.distance);
+}
+
 bool RayScene::occluded(const RayAnchor& a, const RayAnchor& b) const
 {
   countRays(1);
@@ -248,22 +294,7 @@ std::uint32_t RayScene::occluded(const SegmentPacket& segments, int count) const
   countRays(count);
   alignas(64) int valid[SegmentPacket::width];
   alignas(64) RTCRay16 rays;
-  std::memcpy(rays.org_x, segments.ox, sizeof segments.ox);
-  std::memcpy(rays.org_y, segments.oy, sizeof segments.oy);
-  std::memcpy(rays.org_z, segments.oz, sizeof segments.oz);
-  std::memcpy(rays.dir_x, segments.dx, sizeof segments.dx);
-  std::memcpy(rays.dir_y, segments.dy, sizeof segments.dy);
-  std::memcpy(rays.dir_z, segments.dz, sizeof segments.dz);
-  for (int i = 0; i < SegmentPacket::width; ++i)
-  {
-    valid[i] = i < count ? -1 : 0;
-    rays.tnear[i] = 0;
-    rays.tfar[i] = 1;
-    rays.time[i] = 0;
-    rays.mask[i] = ~0u;
-    rays.id[i] = 0;
-    rays.flags[i] = 0;
-  }
+  fill(segments, count, 1, valid, rays);
 #if KALOS_EMBREE_VERSION >= 4
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);

@@ -43,6 +43,15 @@ struct alignas(64) SegmentPacket
   float ox[width], oy[width], oz[width], dx[width], dy[width], dz[width];
 };
 
+/// Where sixteen rays end. Of ray i: `triangle` is noTriangle when it ends nowhere, `distance` is in lengths of its
+/// direction.
+struct alignas(64) HitPacket
+{
+  static constexpr std::uint32_t noTriangle = ~0u;
+  std::uint32_t triangle[SegmentPacket::width];
+  float distance[SegmentPacket::width];
+};
+
 class RayScene
 {
 public:
@@ -52,6 +61,10 @@ public:
 
   /// First hit of a ray along `direction`.
   Hit intersect(const RayAnchor& start, const Vec3& direction) const;
+
+  /// First hits of the first `count` rays from o along d. All in single precision: the caller has moved the starts off
+  /// their surfaces.
+  void intersect(const SegmentPacket& rays, int count, HitPacket& hits) const;
 
   /// True when anything lies between a and b.
   bool occluded(const RayAnchor& a, const RayAnchor& b) const;
