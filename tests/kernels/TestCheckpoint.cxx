@@ -138,6 +138,7 @@ TEST(Checkpoint, AbortedSolvesKeepTheirLastRound)
   const Scene scene(room());
   Shelf shelf;
   Settings s = settings(Method::Compensated, shelf);
+  s.trajectories *= 32;  // long enough to be told of progress before it ends
   const Result whole = solve(scene, points(), s);
   Shelf stopped;
   s.checkpoint = &stopped;

@@ -28,12 +28,12 @@ inline double seconds(const QElapsedTimer& clock)
   return static_cast<double>(clock.elapsed()) / 1000;
 }
 
-/// Prints a figure with the bound that an idle machine of two cores keeps; tests share theirs, so that six times as
-/// much fails.
+/// Prints a figure with the bound that an idle machine of two cores keeps; tests share theirs with whatever else runs,
+/// so that only twenty times as much fails.
 inline void figure(const char* what, double value, const char* unit, double most)
 {
   qInfo("figure: %s %.3g %s (at most %g)", what, value, unit, most);
-  QVERIFY2(value < 6 * most, what);
+  QVERIFY2(value < 20 * most, what);
 }
 
 /// A closed room without a lamp, white furnace of 250 lx, of six quads and a coarse plane.

@@ -83,7 +83,7 @@ bool GatheredEstimation::addRound(long long first, int count, Workers& workers, 
     for (std::size_t tile = 0; tile < tiles; ++tile)
       for (SurfaceHit& hit : looks[at(tile, p)].hits)
         round[p].cache.add(hit, seed);
-    round[p].illuminance.resize(round[p].cache.cells().size() * bands);
+    round[p].indirect.resize(round[p].cache.cells().size() * bands);
     this->Checks[p].cells += static_cast<double>(round[p].cache.cells().size());
   });
   std::size_t chunks = 0;
@@ -93,8 +93,8 @@ bool GatheredEstimation::addRound(long long first, int count, Workers& workers, 
     const auto& cells = round[p].cache.cells();
     for (std::size_t c = part * chunk; c < std::min(cells.size(), (part + 1) * chunk); ++c)
     {
-      const Bands e = this->illuminance(cells[c].representative, c, p, round[p].pool);
-      std::copy_n(e.begin(), bands, &round[p].illuminance[c * bands]);
+      const Bands e = this->indirectLight(cells[c].representative, c, p, round[p].pool);
+      std::copy_n(e.begin(), bands, &round[p].indirect[c * bands]);
     }
   });
 
@@ -192,16 +192,21 @@ void GatheredEstimation::lookAt(std::size_t r, int replicate, const Replicate& r
   }
 }
 
-Bands GatheredEstimation::illuminance(const SurfaceHit& hit, std::size_t cell, int replicate,
-                                      const GatherPool& pool) const
+Sensor GatheredEstimation::at(const SurfaceHit& hit) const
 {
   const std::uint32_t triangle = hit.side / 2;
   const Vec3 n = hit.side & 1 ? this->Lit.normal(triangle) : -this->Lit.normal(triangle);
   Vec3 p{hit.position[0], hit.position[1], hit.position[2]};
   p += dot(this->Lit.corner(triangle, 0) - p, n) * n;  // into the plane, to double precision
+  return Sensor(this->Lit, p, n);
+}
+
+Bands GatheredEstimation::indirectLight(const SurfaceHit& hit, std::size_t cell, int replicate,
+                                        const GatherPool& pool) const
+{
   SampleStream random(Sampling::Independent, seedOfCells(this->Wanted.seed, replicate, this->RaysDone),
                       static_cast<std::uint64_t>(replicate), Purpose::Gather, cell);
-  return this->Rays.illuminance(Sensor(this->Lit, p, n), pool, random);
+  return this->Rays.indirectLight(this->at(hit), pool, random);
 }
 
 void GatheredEstimation::collect(std::size_t tile, int replicate, const Replicate& round, int rays, const Looks& looks,
@@ -209,6 +214,8 @@ void GatheredEstimation::collect(std::size_t tile, int replicate, const Replicat
 {
   const int bands = tally.bands();
   const double weight = static_cast<double>(round.pool.trajectories) / rays;
+  // Each hit draws a luminaire of its own.
+  const std::uint64_t seed = mixBits(seedOfCells(this->Wanted.seed, replicate, this->RaysDone) + tile + 1);
   std::size_t i = 0, r = tile * tileSize;
   for (const std::size_t end : looks.ends)
   {
@@ -219,12 +226,14 @@ void GatheredEstimation::collect(std::size_t tile, int replicate, const Replicat
     {
       const SurfaceHit& hit = looks.hits[i];
       const Material& material = this->Lit.material(hit.side / 2);
-      const double* e = &round.illuminance[hit.cell * bands];
+      const double* e = &round.indirect[hit.cell * bands];
+      SampleStream random(Sampling::Independent, seed, static_cast<std::uint64_t>(replicate), Purpose::Gather, i);
+      const Bands direct = this->Rays.luminaireLight(this->at(hit), random);
       Bands value;
       for (int b = 0; b < bands; ++b)
       {
         const double m = (hit.side & 1) && !exactMeshes ? material.exitance[b] : 0;
-        value[b] = m + material.reflectance[b] * e[b];
+        value[b] = m + material.reflectance[b] * (direct[b] + e[b]);
         emission[b] += m;
         sum[b] += value[b];
       }
@@ -236,7 +245,7 @@ void GatheredEstimation::collect(std::size_t tile, int replicate, const Replicat
       check.shared += 1;
       if (std::fmod(check.shared, checkEvery) == checkEvery / 2)
       {
-        const Bands own = this->illuminance(hit, hit.cell, replicate, round.pool);
+        const Bands own = this->indirectLight(hit, hit.cell, replicate, round.pool);
         Bands difference;
         for (int b = 0; b < bands; ++b)
           difference[b] = material.reflectance[b] * (e[b] - own[b]);

@@ -70,17 +70,23 @@ Bands Gathering::follow(const Sensor& sensor, const Vec3& direction, const Surfa
   return sum;
 }
 
-Bands Gathering::illuminance(const Sensor& sensor, const GatherPool& pool, SampleStream& random) const
+Bands Gathering::luminaireLight(const Sensor& sensor, SampleStream& random) const
+{
+  thread_local DirectLight::View scratch;
+  Bands light = this->Luminaires.sample(sensor, random, scratch);
+  if (!this->Mirrored.any())
+    return light;
+  const Bands images = this->Mirrored.illuminance(sensor);
+  for (int b = 0; b < this->Lit.bands(); ++b)
+    light[b] += images[b];
+  return light;
+}
+
+Bands Gathering::indirectLight(const Sensor& sensor, const GatherPool& pool, SampleStream& random) const
 {
   Chain chain{sensor, uniformBands(1), this->blockShare(pool.trajectories, cellBlock), true, false};
   Bands sum{}, unused{};
   this->addVertexLight(sensor, pool, cellBlock, random, chain.throughput, sum);
-  if (this->Mirrored.any())
-  {
-    const Bands images = this->Mirrored.illuminance(sensor);
-    for (int b = 0; b < this->Lit.bands(); ++b)
-      sum[b] += images[b];
-  }
   this->finish(chain, pool, random, sum, unused);
   return sum;
 }
@@ -152,6 +158,10 @@ bool Gathering::advance(Chain& chain, const Ray& ray, const SurfacePoint& y, con
   };
   if (!first && !survives())
     return false;
+  thread_local DirectLight::View scratch;
+  const Bands direct = this->Luminaires.sample(next, random, scratch);
+  for (int b = 0; b < bands; ++b)
+    sum[b] += throughput[b] * direct[b];
   this->addVertexLight(next, pool, rayBlock, random, throughput, sum);
   if ((ray.mirror || std::isinf(share)) && this->Mirrored.any())
   {
@@ -172,15 +182,13 @@ bool Gathering::advance(Chain& chain, const Ray& ray, const SurfacePoint& y, con
 void Gathering::addVertexLight(const Sensor& sensor, const GatherPool& pool, int blockSize, SampleStream& random,
                                const Bands& throughput, Bands& sum) const
 {
-  thread_local DirectLight::View scratch;
-  const Bands direct = this->Luminaires.sample(sensor, random, scratch);
   const double share = this->blockShare(pool.trajectories, blockSize);
   Bands vertices{};
   this->scoreBlock(sensor, pool.vertices->reflected, blockSize, share, random, vertices);
   this->scoreBlock(sensor, pool.vertices->glossy, blockSize, share, random, vertices);
   this->scoreBlock(sensor, pool.vertices->emitted, blockSize, share, random, vertices);
   for (int b = 0; b < this->Lit.bands(); ++b)
-    sum[b] += throughput[b] * (direct[b] + vertices[b] / pool.trajectories);
+    sum[b] += throughput[b] * vertices[b] / pool.trajectories;
 }
 
 void Gathering::scoreBlock(const Sensor& sensor, const VertexSet& set, int blockSize, double share,

@@ -42,9 +42,12 @@ public:
   Bands follow(const Sensor& sensor, const Vec3& direction, const SurfacePoint& y, const GatherPool& pool,
                const Start& start, SampleStream& random, Bands& emission) const;
 
-  /// All light at a sensor without BRDF, lx per band: of the luminaires, by a block of the pool's vertices, and by a
-  /// gather ray that takes what these leave.
-  Bands illuminance(const Sensor& sensor, const GatherPool& pool, SampleStream& random) const;
+  /// All light that reaches a sensor from luminaires, straight or by mirrors, with one shadow ray for the former.
+  Bands luminaireLight(const Sensor& sensor, SampleStream& random) const;
+
+  /// All other light at a sensor without BRDF, lx per band: by a block of the pool's vertices, and by a gather ray that
+  /// takes what these leave.
+  Bands indirectLight(const Sensor& sensor, const GatherPool& pool, SampleStream& random) const;
 
 private:
   // Vertices scored where a gather ray ends, and for an estimate that many rays share.
