@@ -11,7 +11,7 @@ from kalos import arrays
 
 def statistics(values, standard_error, weights=None, replicates=None):
     """Mean, extremes, uniformities U0 = min/mean and Ud = min/max, each with its standard error, and the largest relative
-    standard error of a single value.
+    standard error of a single value that is not dark.
 
     A ratio to nothing is None. The mean weighs by `weights` (areas); the smallest value is not corrected for noise. Values
     share trajectories, so that the errors of mean and ratios come from the `replicates` (n, P): the spread of the means, and
@@ -20,8 +20,9 @@ def statistics(values, standard_error, weights=None, replicates=None):
     """
     mean = float(np.average(values, weights=weights))
     low, high = float(values.min()), float(values.max())
-    dark = values == 0
-    relative = np.divide(standard_error, values, out=np.where(standard_error > 0, np.inf, 0.0), where=~dark)
+    rounding = 1e-12 * high  # what arithmetic leaves inside a solid
+    dark = values <= rounding
+    relative = np.divide(standard_error, values, out=np.where(standard_error > rounding, np.inf, 0.0), where=~dark)
     worst = float(relative.max())
     least, most = int(values.argmin()), int(values.argmax())
     if replicates is None:
