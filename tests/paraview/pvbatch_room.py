@@ -13,7 +13,7 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 plugin, source, path, *port = sys.argv[1:]
 if port:
-    pv.Connect("localhost", int(port[0]))
+    pv.Connect("127.0.0.1", int(port[0]))
     pv.LoadPlugin(plugin, remote=True, ns=pv.__dict__)
 pv.LoadPlugin(plugin, remote=False, ns=pv.__dict__)
 scene = pv.KalosSceneReader(FileName=f"{source}/data/cornell/cornell-empty.json")
