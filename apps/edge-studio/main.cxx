@@ -21,12 +21,10 @@ int main(int argc, char* argv[])
       QApplication::translate("main", "Kalos scene file (json), model (gltf, glb, obj) or mesh (ply, stl, vtp)"),
       QStringLiteral("[scene]"));
   parser.process(application);
-  const QStringList scenes = parser.positionalArguments();
 
   studio::MainWindow window;
   window.show();
-  if (scenes.isEmpty() || !window.openFile(scenes.front()))
-    window.openFile(studio::demoScene());
+  window.openFirst(parser.positionalArguments().value(0));
   window.offerAutosave();
   return QApplication::exec();
 }

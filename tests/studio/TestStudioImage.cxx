@@ -44,10 +44,10 @@ private slots:
     this->choose("imageRows", 0);
     this->click("computeImage");
     auto* panel = this->Window->findChild<ImagePanel*>();
-    QTRY_VERIFY_WITH_TIMEOUT(!panel->image().active(), 120000);
-    const ResultPtr result = panel->image().result();
+    QTRY_VERIFY_WITH_TIMEOUT(!this->Window->bench()->image().active(), 120000);
+    const ResultPtr result = this->Window->bench()->image().result();
     QVERIFY(result && result->complete && result->trajectories == 32);
-    vtkImageData* image = panel->image().data();
+    vtkImageData* image = this->Window->bench()->image().data();
     QCOMPARE(image->GetDimensions()[1], 128);
     // Low in the middle, where the side of a box that the lamp does not reach fills the view.
     const vtkIdType floor = 128 / 8 * static_cast<vtkIdType>(image->GetDimensions()[0]) + image->GetDimensions()[0] / 2;
@@ -121,12 +121,12 @@ private slots:
     this->find<QTabWidget>("centre")->setCurrentIndex(1);
     this->click("computeImage");
     auto* panel = this->Window->findChild<ImagePanel*>();
-    QTRY_VERIFY_WITH_TIMEOUT(panel->image().result(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(this->Window->bench()->image().result(), 30000);
     auto said = this->answer(QMessageBox::No);
     QVERIFY(!this->Window->close());
     QVERIFY(said->startsWith("A run is under way."));
     QVERIFY(this->Window->openFile(this->furnace()));
-    QVERIFY(!panel->image().active() && !panel->image().result());
+    QVERIFY(!this->Window->bench()->image().active() && !this->Window->bench()->image().result());
   }
 };
 

@@ -1,14 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CameraImage.h"
 
+#include "JsonFields.h"
+#include "Problem.h"
 #include "vtkImageData.h"
 
 namespace studio
 {
-void CameraImage::start(const ScenePtr& scene, const CameraPreset& camera, int width, int height,
-                        const MethodSettings& settings)
+QJsonObject ImageRequest::toJson() const
 {
-  this->Current = std::make_unique<Run>(planImage(*scene, camera, width, height, settings), settings);
+  return {{QStringLiteral("camera"), this->camera.toJson()},
+          {QStringLiteral("width"), this->width},
+          {QStringLiteral("height"), this->height},
+          {QStringLiteral("settings"), this->settings.toJson()}};
+}
+
+ImageRequest ImageRequest::fromJson(const QJsonObject& object, const QString& where)
+{
+  ImageRequest request;
+  JsonFields fields(object, where);
+  double width = 0, height = 0;
+  request.camera = CameraPreset::fromJson(fields.object(QStringLiteral("camera")), fields.at(QStringLiteral("camera")));
+  fields.number(QStringLiteral("width"), width, 1, 16384);
+  fields.number(QStringLiteral("height"), height, 1, 16384);
+  request.settings =
+      MethodSettings::fromJson(fields.object(QStringLiteral("settings")), fields.at(QStringLiteral("settings")));
+  fields.finish();
+  if (width < 1 || height < 1)
+    throw Problem(QStringLiteral("%1: has no size, expected width and height in pixels").arg(where));
+  request.width = static_cast<int>(width);
+  request.height = static_cast<int>(height);
+  return request;
+}
+
+void CameraImage::start(const ScenePtr& scene, const ImageRequest& request)
+{
+  this->Wanted = request;
+  this->Current = std::make_unique<Run>(
+      planImage(*scene, request.camera, request.width, request.height, request.settings), request.settings);
   connect(this->Current.get(), &Run::progressed, this, &CameraImage::changed);
   connect(this->Current.get(), &Run::refined, this, [this] {
     this->Latest = this->Current->result();
@@ -22,8 +51,17 @@ void CameraImage::start(const ScenePtr& scene, const CameraPreset& camera, int w
         emit this->changed();
         if (run->state() == Run::State::Failed)
           emit this->problem(run->problem());
+        emit this->ended();
       },
       Qt::QueuedConnection);
+  emit this->changed();
+}
+
+void CameraImage::restore(const ImageRequest& request, const ResultPtr& result)
+{
+  this->Current.reset();
+  this->Wanted = request;
+  this->Latest = result;
   emit this->changed();
 }
 
@@ -35,6 +73,7 @@ void CameraImage::cancel()
 
 void CameraImage::forget()
 {
+  this->Wanted.reset();
   this->Current.reset();
   this->Latest.reset();
 }

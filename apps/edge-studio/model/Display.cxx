@@ -91,10 +91,8 @@ Display Display::fromJson(const QJsonObject& object, const QString& where)
   return d;
 }
 
-std::array<double, 2> rangeOf(const QVector<ResultPtr>& results, const Display& display)
+std::vector<double> litValues(const QVector<ResultPtr>& results, const Display& display)
 {
-  if (!display.automaticRange)
-    return display.range;
   std::vector<double> values;
   for (const ResultPtr& result : results)
     for (const NamedSet& set : dataSets(result ? result->data.Get() : nullptr))
@@ -103,6 +101,14 @@ std::array<double, 2> rangeOf(const QVector<ResultPtr>& results, const Display& 
         for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
           if (const double value = array->GetComponent(i, 0); value > 0 && std::isfinite(value))
             values.push_back(value);
+  return values;
+}
+
+std::array<double, 2> rangeOf(const QVector<ResultPtr>& results, const Display& display)
+{
+  if (!display.automaticRange)
+    return display.range;
+  std::vector<double> values = litValues(results, display);
   const bool logarithmic = display.scale == Scale::Logarithmic;
   if (values.empty())
     return {logarithmic ? 1.0 : 0.0, 1000.0};

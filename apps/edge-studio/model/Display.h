@@ -7,6 +7,7 @@
 #include <QStringList>
 #include <QVector>
 #include <array>
+#include <vector>
 
 #include "Result.h"
 
@@ -49,6 +50,9 @@ struct Display
   bool operator==(const Display& other) const { return this->toJson() == other.toJson(); }
   bool operator!=(const Display& other) const { return !(*this == other); }
 };
+
+/// What a picture of these results shows: the values above 0 of the quantity, of all sets that are not hidden.
+std::vector<double> litValues(const QVector<ResultPtr>& results, const Display& display);
 
 /// From 0 (logarithmic scale: three decades below) to a round number above all but the highest half per cent of the
 /// values of these results: a few spikes must not take the colours from everything else.

@@ -6,6 +6,7 @@
 #include <QJsonObject>
 #include <QString>
 #include <QVector>
+#include <tuple>
 
 class vtkKalosEstimatorAlgorithm;
 
@@ -53,7 +54,12 @@ struct MethodSettings
   /// Throws Problem for an unknown key, a wrong type or a value out of range; `where` names the object in the file.
   static MethodSettings fromJson(const QJsonObject& object, const QString& where);
 
-  bool operator==(const MethodSettings& other) const { return this->toJson() == other.toJson(); }
+  auto members() const
+  {
+    return std::tie(this->method, this->goal, this->trajectories, this->relativeError, this->seconds, this->delta,
+                    this->epsilon, this->seed);
+  }
+  bool operator==(const MethodSettings& other) const { return this->members() == other.members(); }
   bool operator!=(const MethodSettings& other) const { return !(*this == other); }
 };
 }  // namespace studio

@@ -70,7 +70,7 @@ RunPlan planImage(const SceneDocument& scene, const CameraPreset& camera, int wi
   image->SetPosition(camera.position.data());
   image->SetTarget(camera.target.data());
   image->SetUp(camera.up.data());
-  image->SetFieldOfView(camera.fieldOfView);
+  image->SetFieldOfView(camera.verticalAngle(static_cast<double>(width) / height));
   return {image, [=] {
             std::vector<RunStep> steps;
             for (int part : {8, 4, 2, 1})

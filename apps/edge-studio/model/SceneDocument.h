@@ -6,10 +6,10 @@
 #include <QString>
 #include <QStringList>
 #include <QVector>
-#include <array>
 #include <memory>
 #include <optional>
 
+#include "CameraPreset.h"
 #include "PaintedSurface.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
@@ -17,13 +17,6 @@
 
 namespace studio
 {
-struct CameraPreset
-{
-  QString name;
-  std::array<double, 3> position, target, up;
-  double fieldOfView;  ///< vertical, degrees
-};
-
 /// Once opened, it never changes: views and runs share it.
 class SceneDocument
 {

@@ -9,77 +9,20 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 
-#include "ErrorCollector.h"
 #include "JsonFields.h"
 #include "Problem.h"
-#include "vtkFieldData.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkNew.h"
-#include "vtkXMLMultiBlockDataReader.h"
-#include "vtkXMLMultiBlockDataWriter.h"
+#include "ResultFiles.h"
 
 namespace studio
 {
 namespace
 {
+const QString imageFile = QStringLiteral("image.vti");
+
 QDir resultsFolder(const QString& path)
 {
   const QFileInfo file(path);
   return QDir(file.absoluteDir().filePath(file.completeBaseName() + QStringLiteral(".results")));
-}
-
-QJsonArray array(const std::array<double, 3>& values)
-{
-  return {values[0], values[1], values[2]};
-}
-
-QJsonObject toJson(const CameraPreset& camera)
-{
-  return {{QStringLiteral("position"), array(camera.position)},
-          {QStringLiteral("target"), array(camera.target)},
-          {QStringLiteral("up"), array(camera.up)},
-          {QStringLiteral("fov_deg"), camera.fieldOfView}};
-}
-
-CameraPreset cameraFromJson(const QJsonObject& object, const QString& where)
-{
-  CameraPreset camera{QString(), {0, -1, 0}, {0, 0, 0}, {0, 0, 1}, 45};
-  JsonFields fields(object, where);
-  fields.numbers(QStringLiteral("position"), camera.position.data(), 3);
-  fields.numbers(QStringLiteral("target"), camera.target.data(), 3);
-  fields.numbers(QStringLiteral("up"), camera.up.data(), 3);
-  fields.number(QStringLiteral("fov_deg"), camera.fieldOfView, 0.1, 179);
-  fields.finish();
-  return camera;
-}
-
-void writeResult(vtkDataObject* data, const QString& path)
-{
-  vtkNew<vtkXMLMultiBlockDataWriter> writer;
-  const auto errors = ErrorCollector::watch(writer);
-  writer->SetInputDataObject(data);
-  writer->SetFileName(path.toUtf8().constData());
-  if (!writer->Write() || !errors->message().isEmpty())
-    throw Problem(QStringLiteral("%1: file: can not be written; expected a writable folder").arg(path));
-}
-
-ResultPtr readResult(const MethodSettings& settings, const QString& path)
-{
-  vtkNew<vtkXMLMultiBlockDataReader> reader;
-  const auto errors = ErrorCollector::watch(reader);
-  if (!QFileInfo(path).isFile())
-    throw Problem(QStringLiteral("%1: file: no such file; expected a result of the session").arg(path));
-  reader->SetFileName(path.toUtf8().constData());
-  reader->Update();
-  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutput());
-  if (!errors->message().isEmpty() || !blocks || blocks->GetNumberOfBlocks() == 0)
-    throw Problem(QStringLiteral("%1: file: can not be read; expected a result of the session").arg(path));
-  // The field data of the whole stand at each block too.
-  if (vtkDataObject* first = blocks->GetBlock(0))
-    blocks->GetFieldData()->ShallowCopy(first->GetFieldData());
-  auto result = std::make_shared<Result>(makeResult(settings, blocks));
-  result->complete = true;
-  return result;
 }
 }  // namespace
 
@@ -95,17 +38,27 @@ void saveSession(const Workbench& bench, const CameraPreset& camera, const QStri
     {
       QDir().mkpath(fresh.path());
       const QString name = QStringLiteral("%1.vtm").arg(list.size() + 1);
-      writeResult(result->data, fresh.filePath(name));
+      writeResult(*result, fresh.filePath(name));
       list.append(QJsonObject{{QStringLiteral("settings"), result->settings.toJson()}, {QStringLiteral("file"), name}});
     }
-  const QJsonObject session{
-      {QStringLiteral("kalos_edge_studio"), 1},
-      {QStringLiteral("scene"), QFileInfo(path).absoluteDir().relativeFilePath(bench.scene()->path())},
-      {QStringLiteral("settings"), bench.settings().toJson()},
-      {QStringLiteral("display"), bench.display().toJson()},
-      {QStringLiteral("compute"), QJsonArray::fromStringList(bench.chosenSets())},
-      {QStringLiteral("camera"), toJson(camera)},
-      {QStringLiteral("results"), list}};
+  QJsonObject session{{QStringLiteral("kalos_edge_studio"), 1},
+                      {QStringLiteral("scene"), QFileInfo(path).absoluteDir().relativeFilePath(bench.scene()->path())},
+                      {QStringLiteral("settings"), bench.settings().toJson()},
+                      {QStringLiteral("display"), bench.display().toJson()},
+                      {QStringLiteral("compute"), QJsonArray::fromStringList(bench.chosenSets())},
+                      {QStringLiteral("camera"), camera.toJson()},
+                      {QStringLiteral("results"), list}};
+  if (bench.study())
+    session[QStringLiteral("study")] = bench.study()->toJson();
+  if (const auto& request = bench.image().request())
+  {
+    session[QStringLiteral("image")] = request->toJson();
+    if (const ResultPtr image = bench.image().result(); image && image->complete)
+    {
+      QDir().mkpath(fresh.path());
+      writeImage(*image, fresh.filePath(imageFile));
+    }
+  }
   QSaveFile file(path);
   const QByteArray text = QJsonDocument(session).toJson();
   if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
@@ -148,8 +101,8 @@ std::optional<CameraPreset> openSession(Workbench& bench, const QString& path)
   QStringList compute;
   for (const QJsonValue& name : fields.array(QStringLiteral("compute")))
     compute << name.toString();
-  const CameraPreset camera =
-      cameraFromJson(fields.object(QStringLiteral("camera")), fields.at(QStringLiteral("camera")));
+  const auto camera =
+      CameraPreset::fromJson(fields.object(QStringLiteral("camera")), fields.at(QStringLiteral("camera")));
   QVector<ResultPtr> results;
   for (const QJsonValue& entry : fields.array(QStringLiteral("results")))
   {
@@ -162,6 +115,17 @@ std::optional<CameraPreset> openSession(Workbench& bench, const QString& path)
     result.finish();
     results << readResult(of, resultsFolder(path).filePath(QFileInfo(name).fileName()));
   }
+  std::optional<Study> study;
+  if (const QJsonObject object = fields.object(QStringLiteral("study")); !object.isEmpty())
+    study = Study::fromJson(object, fields.at(QStringLiteral("study")));
+  std::optional<ImageRequest> request;
+  ResultPtr image;
+  if (const QJsonObject object = fields.object(QStringLiteral("image")); !object.isEmpty())
+  {
+    request = ImageRequest::fromJson(object, fields.at(QStringLiteral("image")));
+    if (const QString file = resultsFolder(path).filePath(imageFile); QFileInfo(file).isFile())
+      image = readImage(request->settings, file);
+  }
   fields.finish();
   bench.open(QFileInfo(path).absoluteDir().absoluteFilePath(scene));
   bench.setSettings(settings);
@@ -169,6 +133,11 @@ std::optional<CameraPreset> openSession(Workbench& bench, const QString& path)
   bench.setChosenSets(compute);
   for (const ResultPtr& result : results)
     bench.addResult(result);
+  bench.setStudy(study);
+  if (image)
+    bench.image().restore(*request, image);
+  else if (request)
+    bench.image().start(bench.scene(), *request);
   return camera;
 }
 

@@ -9,15 +9,16 @@
 
 namespace studio
 {
-/// Writes NAME.json and, in the folder NAME.results, a .vtm for each complete result. The scene's path is relative
-/// where it can be. Throws Problem. What was there before is replaced only when all has been written.
+/// Writes NAME.json and, in the folder NAME.results, a .vtm for each complete result and a .vti of a complete image.
+/// The scene's path is relative where it can be. Throws Problem. What was there before is replaced only when all has
+/// been written.
 void saveSession(const Workbench& bench, const CameraPreset& camera, const QString& path);
 
 /// Whether a JSON file is a session (and not a scene): its object has the key "kalos_edge_studio".
 bool isSession(const QString& path);
 
-/// Opens the scene of a session on the bench, with all that was saved; returns the camera. Throws Problem, and then the
-/// bench stays as it was.
+/// Opens the scene of a session on the bench, with all that was saved; returns the camera. An image that was not
+/// complete is computed anew, from where it was seen. Throws Problem, and then the bench stays as it was.
 std::optional<CameraPreset> openSession(Workbench& bench, const QString& path);
 
 /// Where a session is kept that was not closed in an orderly way.

@@ -4,29 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "DataSets.h"
-#include "vtkDataArray.h"
-#include "vtkDataSet.h"
-
 namespace studio
 {
 Exposure exposureOf(const QVector<ResultPtr>& results, const Display& display)
 {
   Exposure exposure;
   exposure.white = rangeOf(results, display)[1];
+  const std::vector<double> values = litValues(results, display);
   double sum = 0;
-  qint64 count = 0;
-  for (const ResultPtr& result : results)
-    for (const NamedSet& set : dataSets(result ? result->data.Get() : nullptr))
-      if (vtkDataArray* array =
-              display.hidden.contains(set.name) ? nullptr : arrayOf(set.data, arrayName(display.quantity)))
-        for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-          if (const double value = array->GetComponent(i, 0); value > 0 && std::isfinite(value))
-          {
-            sum += std::log(value);
-            ++count;
-          }
-  exposure.average = count > 0 ? std::exp(sum / static_cast<double>(count)) : 0.18 * exposure.white;
+  for (double value : values)
+    sum += std::log(value);
+  exposure.average = values.empty() ? 0.18 * exposure.white : std::exp(sum / static_cast<double>(values.size()));
   return exposure;
 }
 

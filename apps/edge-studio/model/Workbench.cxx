@@ -14,6 +14,8 @@ void Workbench::open(const QString& path)
   this->Results.clear();
   this->Tracks.clear();
   this->ShownIndex = -1;
+  this->Studied.reset();
+  this->Seen.forget();
   emit this->runChanged();
   emit this->sceneChanged();
   emit this->resultsChanged();
@@ -66,6 +68,28 @@ void Workbench::runSeries(const QVector<MethodSettings>& series)
     return;
   this->Series = series;
   this->runNext();
+}
+
+void Workbench::setStudy(const std::optional<Study>& study)
+{
+  this->Studied = study;
+  emit this->studyChanged();
+}
+
+void Workbench::runStudy(const Study& study)
+{
+  this->setStudy(study);
+  if (!this->Results.isEmpty())
+    this->show(static_cast<int>(this->Results.size()) - 1);  // what is shown follows the newest result
+  this->runSeries(study.series(*this->Scene, this->Results));
+}
+
+QVector<ResultPtr> Workbench::onOneScale() const
+{
+  QVector<ResultPtr> cells;
+  if (this->Studied)
+    cells = this->Studied->cells(this->Results);
+  return cells.contains(this->shown()) ? cells : QVector<ResultPtr>{this->shown()};
 }
 
 void Workbench::runNext()

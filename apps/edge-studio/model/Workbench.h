@@ -7,8 +7,10 @@
 #include <QPointF>
 #include <memory>
 
+#include "CameraImage.h"
 #include "Display.h"
 #include "Run.h"
+#include "Study.h"
 #include "UndoHistory.h"
 
 namespace studio
@@ -53,6 +55,18 @@ public:
   /// How the error of each result fell while it ran: (s, root mean square of the relative standard error).
   const QVector<QVector<QPointF>>& tracks() const { return this->Tracks; }
 
+  /// Runs a study, cell by cell.
+  void runStudy(const Study& study);
+  const std::optional<Study>& study() const { return this->Studied; }
+  void setStudy(const std::optional<Study>& study);  ///< without running it
+
+  /// What the picture of the shown result shares one scale with: the cells of its study, or nothing but itself.
+  QVector<ResultPtr> onOneScale() const;
+
+  /// The luminance that a camera sees.
+  CameraImage& image() { return this->Seen; }
+  const CameraImage& image() const { return this->Seen; }
+
 public slots:
   void undo();
   void redo();
@@ -64,7 +78,8 @@ signals:
   void settingsChanged();
   void displayChanged();
   void resultsChanged();  ///< a result is new, newer, gone, or another one is shown
-  void runChanged();      ///< it began, rests, goes on, progresses, ended
+  void studyChanged();
+  void runChanged();  ///< it began, rests, goes on, progresses, ended
   void runBegan();
   void runEnded();
   void problem(const QString& message);
@@ -80,6 +95,8 @@ private:
   std::unique_ptr<Run> Current;
   bool CurrentHasResult = false;   // the last of Results is Current's
   QVector<MethodSettings> Series;  // still to be run
+  std::optional<Study> Studied;
+  CameraImage Seen;
   QVector<ResultPtr> Results;
   QVector<QVector<QPointF>> Tracks;
   int ShownIndex = -1;

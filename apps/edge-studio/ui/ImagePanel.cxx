@@ -109,11 +109,11 @@ ImagePanel::ImagePanel(Workbench* bench, SceneView* view, QWidget* parent) : QWi
   layout->addLayout(below);
 
   connect(this->Compute, &QPushButton::clicked, this, &ImagePanel::compute);
-  connect(this->Cancel, &QPushButton::clicked, &this->Image, &CameraImage::cancel);
+  connect(this->Cancel, &QPushButton::clicked, &bench->image(), &CameraImage::cancel);
   connect(this->Save, &QPushButton::clicked, this, &ImagePanel::saveAsked);
   connect(this->View, &ImageView::pointed, this, &ImagePanel::tell);
-  connect(&this->Image, &CameraImage::changed, this, &ImagePanel::show);
-  connect(&this->Image, &CameraImage::problem, bench, &Workbench::problem);
+  connect(&bench->image(), &CameraImage::changed, this, &ImagePanel::show);
+  connect(&bench->image(), &CameraImage::problem, bench, &Workbench::problem);
   connect(bench, &Workbench::sceneChanged, this, &ImagePanel::clear);
   connect(bench, &Workbench::displayChanged, this, &ImagePanel::develop);
   this->show();
@@ -123,13 +123,13 @@ void ImagePanel::compute()
 {
   const int rows = this->Rows->currentData().toInt();
   const double shape = static_cast<double>(this->Scene->width()) / std::max(1, this->Scene->height());
-  this->Image.start(this->Bench->scene(), this->Scene->camera(),
-                    std::max(1, static_cast<int>(std::lround(rows * shape))), rows, this->Bench->settings());
+  this->Bench->image().start(
+      this->Bench->scene(),
+      {this->Scene->camera(), std::max(1, static_cast<int>(std::lround(rows * shape))), rows, this->Bench->settings()});
 }
 
 void ImagePanel::clear()
 {
-  this->Image.forget();
   this->Developed.reset();
   this->View->setImage({});
   this->Pixel->clear();
@@ -138,15 +138,23 @@ void ImagePanel::clear()
 
 void ImagePanel::show()
 {
-  this->Compute->setEnabled(this->Bench->scene() && !this->Image.active());
-  this->Cancel->setEnabled(this->Image.active());
-  const ResultPtr result = this->Image.result();
+  const CameraImage& image = this->Bench->image();
+  this->Compute->setEnabled(this->Bench->scene() && !image.active());
+  this->Cancel->setEnabled(image.active());
+  if (const int height = image.request() ? image.request()->height : 0; height != this->Height)
+  {
+    this->Height = height;
+    this->Rows->setCurrentIndex(std::max(this->Rows->findData(height), height > 0 ? -1 : 1));
+  }
+  const ResultPtr result = image.result();
   this->Save->setEnabled(result && !result->preview);
-  const Run* run = this->Image.run();
-  this->Progress->setValue(run ? static_cast<int>(1000 * run->progress()) : 0);
+  const Run* run = image.run();
+  this->Progress->setValue(run ? static_cast<int>(1000 * run->progress()) : result ? 1000 : 0);
   QStringList about;
   if (run)
     about << describeTimes(*run);
+  else if (result)
+    about << tr("%1 · of the session").arg(duration(result->seconds));
   if (result && !result->preview)
     about << tr("standard error %1").arg(percent(result->quality.typical));
   this->About->setText(about.join(QStringLiteral(" · ")));
@@ -156,7 +164,7 @@ void ImagePanel::show()
 
 void ImagePanel::develop()
 {
-  this->Developed = this->Image.result();
+  this->Developed = this->Bench->image().result();
   if (!this->Developed)
     return;
   this->View->setImage(developed(this->Developed, forImages(this->Bench->display())));
@@ -170,7 +178,7 @@ Legend ImagePanel::legend() const
 
 void ImagePanel::tell(const QPoint& pixel)
 {
-  vtkImageData* image = this->Image.data();
+  vtkImageData* image = this->Bench->image().data();
   const int width = image->GetDimensions()[0], height = image->GetDimensions()[1];
   const vtkIdType index = static_cast<vtkIdType>(height - 1 - pixel.y()) * width + pixel.x();
   if (pixel.x() >= width || pixel.y() >= height)

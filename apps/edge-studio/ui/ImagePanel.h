@@ -8,7 +8,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 
-#include "CameraImage.h"
 #include "Pictures.h"
 #include "SceneView.h"
 #include "Workbench.h"
@@ -48,10 +47,8 @@ public:
   /// The camera and the shape of the image are those of the view.
   ImagePanel(Workbench* bench, SceneView* view, QWidget* parent = nullptr);
 
-  const CameraImage& image() const { return this->Image; }
   QImage picture() const { return this->View->image(); }
   Legend legend() const;
-  void cancel() { this->Image.cancel(); }
 
 signals:
   void changed();
@@ -66,8 +63,8 @@ private:
 
   Workbench* Bench;
   SceneView* Scene;
-  CameraImage Image;
   ResultPtr Developed;
+  int Height = 0;  // of the image asked for last; 0: none
   ImageView* View;
   QComboBox* Rows;
   QPushButton *Compute, *Cancel, *Save;

@@ -19,20 +19,23 @@ struct Legend
   QVector<double> isolines{};  ///< values of lines in the picture, marked and named in place of round values
 };
 
-void drawLegend(QPainter& painter, const QRectF& area, const Legend& legend, const QColor& ink);
+/// An upright bar with its title above and its note below, or a lying one with its title above; this has no note.
+void drawLegend(QPainter& painter, const QRectF& area, const Legend& legend, const QColor& ink,
+                Qt::Orientation orientation = Qt::Vertical);
 
 class LegendBar : public QWidget
 {
 public:
-  explicit LegendBar(QWidget* parent = nullptr);
+  explicit LegendBar(Qt::Orientation orientation = Qt::Vertical, QWidget* parent = nullptr);
   void setLegend(const Legend& legend);
   const Legend& legend() const { return this->Shown; }
-  QSize sizeHint() const override { return {92, 300}; }
+  QSize sizeHint() const override;
 
 protected:
   void paintEvent(QPaintEvent* event) override;
 
 private:
+  Qt::Orientation Way;
   Legend Shown;
 };
 }  // namespace studio

@@ -28,6 +28,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent)
   this->resize(1360, 840);
   this->View = new SceneView;
   this->Bar = new LegendBar;
+  this->Bar->setObjectName(QStringLiteral("legend"));
   this->Image = new ImagePanel(&this->Bench, this->View);
   this->Centre = new QTabWidget;
   this->Centre->setObjectName(QStringLiteral("centre"));
@@ -54,6 +55,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent)
   connect(&this->Bench, &Workbench::problem, this, &MainWindow::complain);
   connect(&this->Bench, &Workbench::runBegan, this, &MainWindow::autosave);
   connect(&this->Bench, &Workbench::runEnded, this, &MainWindow::autosave);
+  connect(&this->Bench.image(), &CameraImage::ended, this, &MainWindow::autosave);
 }
 
 void MainWindow::makePanels()
@@ -177,9 +179,9 @@ void MainWindow::showScene()
   this->listCameras();
   this->updatePicking();
   this->showResult();
-  QString about = tr("%1 polygons, %2 luminaires")
-                      .arg(scene->surfaces()->GetNumberOfCells())
-                      .arg(scene->luminaires()->GetNumberOfPoints());
+  const vtkIdType polygons = scene->surfaces()->GetNumberOfCells(), lamps = scene->luminaires()->GetNumberOfPoints();
+  QString about = polygons == 1 ? tr("1 polygon") : tr("%1 polygons").arg(grouped(polygons));
+  about += lamps == 1 ? tr(", 1 luminaire") : tr(", %1 luminaires").arg(grouped(lamps));
   if (scene->isBareMesh())
     about = tr("A mesh without light: reflectance 0.5 and 100 lm/m² everywhere");
   if (const auto lux = scene->furnaceIlluminance())
@@ -200,8 +202,10 @@ void MainWindow::showResult()
         this->Compare->comparison().data, QString::fromLatin1(Comparison::arrayName), differenceColours(5), {}, {}};
     shown.legend = {shown.first.colours, tr("Difference"), tr("std. errors"), {}, {}};
   }
-  else
-    shown = picturesOf(result, two ? this->Compare->other() : nullptr, display);
+  else if (two)
+    shown = picturesOf(result, this->Compare->other(), display);
+  else if (result)
+    shown = pictureOf(result, this->Bench.onOneScale(), display);
   if (display.quantity == Quantity::Luminance && this->Bench.scene() && this->Bench.scene()->hasGloss())
     shown.legend.note = tr("diffuse part; gloss and mirrors: Image");
   const auto layout = !two                                     ? SceneView::Layout::Single
@@ -209,6 +213,8 @@ void MainWindow::showResult()
                                                                : SceneView::Layout::Swipe;
   if (layout != this->View->layoutMode())
     this->View->setLayoutMode(layout);
+  this->View->setCaptions(two ? result->settings.describe() : QString(),
+                          two ? this->Compare->other()->settings.describe() : QString());
   this->View->paint(shown.first, shown.second, display);
   this->SceneLegend = shown.legend;
   this->showLegend();

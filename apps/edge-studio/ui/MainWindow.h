@@ -28,6 +28,9 @@ public:
   /// Opens a scene; a broken one gives a dialog with the file, the place and the reason, and the scene before stays.
   bool openFile(const QString& path);
 
+  /// The scene that the program is started with; the demo scene where there is none, or where it is broken.
+  void openFirst(const QString& path);
+
   Workbench* bench() { return &this->Bench; }
   SceneView* view() const { return this->View; }
 

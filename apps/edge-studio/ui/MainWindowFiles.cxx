@@ -11,6 +11,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "Application.h"
 #include "Export.h"
 #include "ImagePanel.h"
 #include "MainWindow.h"
@@ -42,7 +43,7 @@ void MainWindow::makeFileMenu()
   image->setObjectName(QStringLiteral("exportImage"));
   QAction* results = add(tr("Export the &values…"), Qt::CTRL | Qt::Key_E, [this] { this->exportResultsTo(); });
   auto enable = [this, picture, image, results] {
-    image->setEnabled(this->Image->image().result() != nullptr);
+    image->setEnabled(this->Bench.image().result() != nullptr);
     picture->setEnabled(this->Bench.scene() != nullptr);
     results->setEnabled(this->Bench.shown() != nullptr);
   };
@@ -78,6 +79,12 @@ bool MainWindow::openFile(const QString& path)
     opened = true;
   });
   return opened;
+}
+
+void MainWindow::openFirst(const QString& path)
+{
+  if (path.isEmpty() || !this->openFile(path))
+    this->openFile(demoScene());
 }
 
 void MainWindow::attempt(const std::function<void()>& action)
@@ -122,7 +129,7 @@ void MainWindow::exportImageAs()
 {
   const QString path = QFileDialog::getSaveFileName(this, tr("Export the image"), QString(), tr("OpenEXR (*.exr)"));
   if (!path.isEmpty())
-    this->attempt([&] { exportImage(*this->Image->image().result(), path); });
+    this->attempt([&] { exportImage(*this->Bench.image().result(), path); });
 }
 
 QImage MainWindow::pictureWithLegend()
@@ -197,7 +204,7 @@ void MainWindow::listRecent()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-  if (this->Bench.isRunning() || this->Image->image().active())
+  if (this->Bench.isRunning() || this->Bench.image().active())
   {
     QMessageBox box(QMessageBox::Question, tr("Edge Studio"), tr("A run is under way. Stop it and close?"),
                     QMessageBox::Yes | QMessageBox::No, this);
@@ -205,7 +212,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     if (box.exec() != QMessageBox::Yes)
       return event->ignore();
     this->Bench.cancel();
-    this->Image->cancel();
+    this->Bench.image().cancel();
   }
   const QVector<ResultPtr>& results = this->Bench.results();
   if (std::any_of(results.begin(), results.end(), [](const ResultPtr& result) { return result && result->complete; }))

@@ -60,6 +60,7 @@ MethodPanel::MethodPanel(Workbench* bench, QWidget* parent) : QWidget(parent), B
   this->Errors->setAlignment(Qt::AlignTop);
   layout->addWidget(this->Times);
   layout->addWidget(this->Errors);
+  layout->addStretch(1);
 
   connect(this->RunButton, &QPushButton::clicked, bench, &Workbench::run);
   connect(this->PauseButton, &QPushButton::clicked, this, &MethodPanel::togglePause);

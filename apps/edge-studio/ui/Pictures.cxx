@@ -37,27 +37,30 @@ bool isColourPhotograph(const ResultPtr& result, const Display& display)
 }
 }  // namespace
 
-ShownPictures picturesOf(const ResultPtr& result, const ResultPtr& other, const Display& display)
+ShownPictures pictureOf(const ResultPtr& result, const QVector<ResultPtr>& sharing, const Display& display)
 {
   ShownPictures shown;
-  if (!result)
-    return shown;
-  const QVector<ResultPtr> results{result, other};
   Picture& picture = shown.first;
-  picture.data = result->data;
+  picture.data = result ? result->data : nullptr;
   picture.array = QString::fromLatin1(arrayName(display.quantity));
-  picture.colours = tableFor(results, display);
+  picture.colours = tableFor(sharing, display);
   if (display.isolines)
-    picture.isolines = roundValues(rangeOf(results, display), display.scale == Scale::Logarithmic, 10);
-  if (isColourPhotograph(result, display))
+    picture.isolines = roundValues(rangeOf(sharing, display), display.scale == Scale::Logarithmic, 10);
+  if (result && isColourPhotograph(result, display))
   {
-    picture.exposure = exposureOf(results, display);
+    picture.exposure = exposureOf(sharing, display);
     picture.array = QString::fromLatin1(Names::LuminanceBands);
     picture.isolines.clear();  // contours are of one value
   }
-  shown.second = picture;
-  shown.second.data = other ? other->data : nullptr;
   shown.legend = {picture.colours, title(display.quantity), unitOf(display.quantity), {}, picture.isolines};
+  return shown;
+}
+
+ShownPictures picturesOf(const ResultPtr& result, const ResultPtr& other, const Display& display)
+{
+  ShownPictures shown = pictureOf(result, {result, other}, display);
+  shown.second = shown.first;
+  shown.second.data = other->data;
   return shown;
 }
 

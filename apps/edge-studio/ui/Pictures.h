@@ -17,7 +17,10 @@ struct ShownPictures
   Legend legend;
 };
 
-/// Of a result, and of another one beside it where there is one.
+/// Of a result, on the scale that all of `sharing` have; its picture has no data where it is null.
+ShownPictures pictureOf(const ResultPtr& result, const QVector<ResultPtr>& sharing, const Display& display);
+
+/// Of a result, and of another one beside it.
 ShownPictures picturesOf(const ResultPtr& result, const ResultPtr& other, const Display& display);
 
 /// How an image of luminance is shown: as the scene, but that the quantity is given.

@@ -11,11 +11,13 @@
 #include "vtkCellDataToPointData.h"
 #include "vtkContourFilter.h"
 #include "vtkDataArray.h"
+#include "vtkFeatureEdges.h"
 #include "vtkKalosSingularEdges.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVertexGlyphFilter.h"
 
@@ -53,6 +55,14 @@ void photograph(vtkPolyDataMapper* mapper, const QByteArray& bandsName, bool byP
 ScenePainter::ScenePainter()
 {
   this->Renderer->SetBackground(0.235, 0.245, 0.26);
+  this->Caption->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  this->Caption->SetPosition(0.5, 1);
+  vtkTextProperty* text = this->Caption->GetTextProperty();
+  text->SetJustificationToCentered();
+  text->SetVerticalJustificationToTop();
+  text->SetColor(1, 1, 1);
+  text->SetBackgroundColor(0.12, 0.125, 0.13);
+  text->SetBackgroundOpacity(0.75);
 }
 
 void ScenePainter::setPixelRatio(double ratio)
@@ -60,6 +70,7 @@ void ScenePainter::setPixelRatio(double ratio)
   if (ratio == this->PixelRatio)
     return;
   this->PixelRatio = ratio;
+  this->Caption->GetTextProperty()->SetFontSize(static_cast<int>(14 * ratio));
   if (this->Scene)
     this->setScene(this->Scene);
 }
@@ -83,6 +94,7 @@ void ScenePainter::setScene(const ScenePtr& scene)
 {
   this->Scene = scene;
   this->Renderer->RemoveAllViewProps();
+  this->Renderer->AddActor2D(this->Caption);
   this->Receivers.clear();
 
   vtkNew<vtkPolyDataMapper> mapper;
@@ -109,8 +121,7 @@ void ScenePainter::setScene(const ScenePtr& scene)
   severity(this->Edges);
   severity(this->Contacts);
   this->Luminaires = this->addLines(luminaireGlyphs(scene->luminaires(), 0.07 * scene->size()), 1);
-  this->Luminaires->GetProperty()->SetColor(1, 0.86, 0.45);
-  this->Luminaires->GetProperty()->SetOpacity(0.6);
+  this->Luminaires->GetProperty()->SetColor(0.8, 0.69, 0.36);
   this->mark({});
 }
 
@@ -208,6 +219,8 @@ void ScenePainter::addReceivers(vtkDataSet* data, const Picture& picture, bool s
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -6);
   }
+  if (plane && !ofPoints)
+    this->addBorder(data);
   this->Renderer->AddActor(actor);
   this->Receivers << actor;
 }
@@ -224,8 +237,27 @@ void ScenePainter::addIsolines(vtkDataSet* points, const Picture& picture)
   const auto actor = this->addLines(contours->GetOutput(), 1.2);
   actor->GetMapper()->ScalarVisibilityOff();
   actor->GetProperty()->SetColor(1, 1, 1);
-  actor->GetProperty()->SetOpacity(0.8);
   this->Receivers << actor;
+}
+
+// A plane hides what is below it: its border says that it is one.
+void ScenePainter::addBorder(vtkDataSet* plane)
+{
+  vtkNew<vtkFeatureEdges> border;
+  border->SetInputData(plane);
+  border->FeatureEdgesOff();
+  border->NonManifoldEdgesOff();
+  border->ColoringOff();
+  border->Update();
+  const auto actor = this->addLines(border->GetOutput(), 1.2);
+  actor->GetMapper()->ScalarVisibilityOff();
+  actor->GetProperty()->SetColor(0.75, 0.77, 0.8);
+  this->Receivers << actor;
+}
+
+void ScenePainter::setCaption(const QString& text)
+{
+  this->Caption->SetInput(text.isEmpty() ? "" : (QLatin1Char(' ') + text + QLatin1Char(' ')).toUtf8().constData());
 }
 
 void ScenePainter::mark(const QVector<QVector<std::array<double, 3>>>& lines)

@@ -12,6 +12,7 @@
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
+#include "vtkTextActor.h"
 
 class vtkActor;
 
@@ -34,6 +35,8 @@ public:
 
   vtkRenderer* renderer() const { return this->Renderer; }
 
+  const ScenePtr& scene() const { return this->Scene; }
+
   /// Pixels of the screen per pixel of the design: lines keep their looks at any scaling.
   void setPixelRatio(double ratio);
   void setScene(const ScenePtr& scene);
@@ -42,17 +45,22 @@ public:
   /// A small cross on the surface, and a line from there.
   void mark(const QVector<QVector<std::array<double, 3>>>& lines);
 
+  /// A line of text at the top.
+  void setCaption(const QString& text);
+
 private:
   void clearReceivers();
   void addReceivers(vtkDataSet* data, const Picture& picture, bool smooth);
   vtkSmartPointer<vtkDataSet> onShape(vtkDataSet* receivers, const Picture& picture) const;
   void addIsolines(vtkDataSet* points, const Picture& picture);
+  void addBorder(vtkDataSet* plane);
   vtkSmartPointer<vtkActor> addLines(vtkPolyData* lines, double width);
 
   ScenePtr Scene;
   double PixelRatio = 1;
   vtkNew<vtkRenderer> Renderer;
   QVector<vtkSmartPointer<vtkActor>> Receivers;
+  vtkNew<vtkTextActor> Caption;
   vtkSmartPointer<vtkActor> Shape, Edges, Contacts, Luminaires, Marks;
 };
 }  // namespace studio

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneView.h"
 
-#include <QMouseEvent>
-#include <cmath>
-
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkGenericOpenGLRenderWindow.h"
@@ -13,6 +10,18 @@
 
 namespace studio
 {
+namespace
+{
+void place(vtkRenderer* renderer, const CameraPreset& preset)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(preset.position.data());
+  camera->SetFocalPoint(preset.target.data());
+  camera->SetViewUp(preset.up.data());
+  renderer->ResetCameraClippingRange();
+}
+}  // namespace
+
 SceneView::SceneView(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
 {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
@@ -20,6 +29,10 @@ SceneView::SceneView(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
   this->setRenderWindow(window);
   window->AddRenderer(this->First.renderer());
   window->AddRenderer(this->Second.renderer());
+  window->AddRenderer(this->Aside.renderer());
+  this->Aside.renderer()->DrawOff();
+  this->Aside.renderer()->SetInteractive(false);
+  this->Aside.renderer()->UseFXAAOn();
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   this->interactor()->SetInteractorStyle(style);
   this->setMinimumSize(240, 200);
@@ -33,12 +46,13 @@ SceneView::SceneView(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
   style->AddObserver(vtkCommand::StartInteractionEvent, this, &SceneView::beginTurning);
   style->AddObserver(vtkCommand::EndInteractionEvent, this, &SceneView::endTurning);
   this->endTurning();
-  window->AddObserver(vtkCommand::StartEvent, this, &SceneView::syncCameras);
+  window->AddObserver(vtkCommand::StartEvent, this, &SceneView::setCameras);
   this->arrange();
 }
 
 void SceneView::setScene(const ScenePtr& scene)
 {
+  this->Scene = scene;
   this->First.setScene(scene);
   this->Second.setScene(scene);
   if (scene->cameras().isEmpty())
@@ -54,13 +68,19 @@ void SceneView::paint(const Picture& left, const Picture& right, const Display& 
   this->First.paint(left, display);
   this->Second.paint(right, display);
   this->render();
-  emit this->painted();
 }
 
 void SceneView::mark(const QVector<QVector<Point>>& lines)
 {
   this->First.mark(lines);
   this->Second.mark(lines);
+  this->render();
+}
+
+void SceneView::setCaptions(const QString& left, const QString& right)
+{
+  this->First.setCaption(left);
+  this->Second.setCaption(right);
   this->render();
 }
 
@@ -105,9 +125,11 @@ void SceneView::endTurning()
   this->render();
 }
 
-void SceneView::syncCameras()
+void SceneView::setCameras()
 {
   vtkCamera *from = this->First.renderer()->GetActiveCamera(), *to = this->Second.renderer()->GetActiveCamera();
+  const double width = this->Mode == Layout::SideBySide ? 0.5 * this->width() : this->width();
+  from->SetViewAngle(this->camera().verticalAngle(width / std::max(1, this->height())));
   to->SetPosition(from->GetPosition());
   to->SetFocalPoint(from->GetFocalPoint());
   to->SetViewUp(from->GetViewUp());
@@ -117,12 +139,8 @@ void SceneView::syncCameras()
 
 void SceneView::look(const CameraPreset& preset)
 {
-  vtkCamera* camera = this->First.renderer()->GetActiveCamera();
-  camera->SetPosition(preset.position.data());
-  camera->SetFocalPoint(preset.target.data());
-  camera->SetViewUp(preset.up.data());
-  camera->SetViewAngle(preset.fieldOfView);
-  this->First.renderer()->ResetCameraClippingRange();
+  this->FieldOfView = preset.fieldOfView;
+  place(this->First.renderer(), preset);
   this->render();
 }
 
@@ -134,9 +152,7 @@ void SceneView::lookAlong(const Point& direction, const Point& up)
   camera->SetPosition(-direction[0], -direction[1], -direction[2]);
   camera->SetViewUp(up.data());
   this->First.renderer()->ResetCamera();
-  camera->Zoom(1.2);
-  camera->SetViewAngle(camera->GetViewAngle());
-  this->First.renderer()->ResetCameraClippingRange();
+  this->FieldOfView = 35 / 1.2;  // what was fitted is a sphere around the scene
   this->render();
 }
 
@@ -147,7 +163,7 @@ CameraPreset SceneView::camera() const
   camera->GetPosition(preset.position.data());
   camera->GetFocalPoint(preset.target.data());
   camera->GetViewUp(preset.up.data());
-  preset.fieldOfView = camera->GetViewAngle();
+  preset.fieldOfView = this->FieldOfView;
   return preset;
 }
 
@@ -162,50 +178,26 @@ QImage SceneView::picture()
   return this->grabFramebuffer();
 }
 
-bool SceneView::onSwipeLine(const QPointF& at) const
+QImage SceneView::snapshot(const Picture& picture, const Display& display, const CameraPreset& camera)
 {
-  return this->Mode == Layout::Swipe && std::abs(at.x() - this->SwipeAt * this->width()) < 6;
-}
-
-// VTK takes mouse events from here, before the handlers below: a drag of the swipe line is not for it.
-bool SceneView::event(QEvent* event)
-{
-  const auto type = event->type();
-  const bool press = type == QEvent::MouseButtonPress, release = type == QEvent::MouseButtonRelease;
-  if (!press && !release && type != QEvent::MouseMove)
-    return QVTKOpenGLNativeWidget::event(event);
-  auto* mouse = static_cast<QMouseEvent*>(event);
-  if (!this->Swiping && !(press && this->onSwipeLine(mouse->localPos())))
-    return QVTKOpenGLNativeWidget::event(event);
-  press ? this->mousePressEvent(mouse) : release ? this->mouseReleaseEvent(mouse) : this->mouseMoveEvent(mouse);
-  return true;
-}
-
-void SceneView::mousePressEvent(QMouseEvent* event)
-{
-  this->PressedAt = event->localPos();
-  this->Swiping = event->button() == Qt::LeftButton && this->onSwipeLine(event->localPos());
-  if (!this->Swiping)
-    QVTKOpenGLNativeWidget::mousePressEvent(event);
-}
-
-void SceneView::mouseMoveEvent(QMouseEvent* event)
-{
-  this->setCursor(this->Swiping || this->onSwipeLine(event->localPos()) ? Qt::SplitHCursor : Qt::ArrowCursor);
-  if (!this->Swiping)
-    return QVTKOpenGLNativeWidget::mouseMoveEvent(event);
-  this->setSwipe(event->localPos().x() / this->width());
-  emit this->swiped(this->SwipeAt);
-}
-
-void SceneView::mouseReleaseEvent(QMouseEvent* event)
-{
-  if (!this->Swiping)
-    QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
-  const bool click = (event->localPos() - this->PressedAt).manhattanLength() < 4;
-  if (!this->Swiping && click && event->button() == Qt::LeftButton)
-    this->pickAt(event->localPos());
-  this->Swiping = false;
+  this->Aside.setPixelRatio(this->devicePixelRatioF());
+  if (this->Aside.scene() != this->Scene)
+    this->Aside.setScene(this->Scene);
+  this->Aside.paint(picture, display);
+  place(this->Aside.renderer(), camera);
+  const double shape = static_cast<double>(this->width()) / std::max(1, this->height());
+  this->Aside.renderer()->GetActiveCamera()->SetViewAngle(camera.verticalAngle(shape));
+  this->First.renderer()->DrawOff();
+  this->Second.renderer()->DrawOff();
+  this->Aside.renderer()->DrawOn();
+  const QImage whole = this->picture();
+  this->Aside.renderer()->DrawOff();
+  this->Aside.paint({}, display);
+  this->First.renderer()->DrawOn();
+  this->arrange();
+  this->renderWindow()->Render();  // at once, so that the screen never shows the other picture
+  const int side = std::min(whole.width(), whole.height());
+  return whole.copy((whole.width() - side) / 2, (whole.height() - side) / 2, side, side);
 }
 
 void SceneView::resizeEvent(QResizeEvent* event)
@@ -213,23 +205,5 @@ void SceneView::resizeEvent(QResizeEvent* event)
   QVTKOpenGLNativeWidget::resizeEvent(event);
   this->First.setPixelRatio(this->devicePixelRatioF());
   this->Second.setPixelRatio(this->devicePixelRatioF());
-}
-
-void SceneView::pickAt(const QPointF& at)
-{
-  if (!this->Targets)
-    return;
-  const double ratio = this->devicePixelRatioF(), x = at.x() * ratio, y = (this->height() - 1 - at.y()) * ratio;
-  vtkRenderer* renderer = this->First.renderer();
-  if (this->Mode != Layout::Single && at.x() > renderer->GetViewport()[2] * this->width())
-    renderer = this->Second.renderer();
-  auto toWorld = [&](double depth) {
-    renderer->SetDisplayPoint(x, y, depth);
-    renderer->DisplayToWorld();
-    const double* world = renderer->GetWorldPoint();
-    return Point{world[0] / world[3], world[1] / world[3], world[2] / world[3]};
-  };
-  if (const auto pick = this->Targets->first(toWorld(0), toWorld(1)))
-    emit this->picked(*pick);
 }
 }  // namespace studio

@@ -28,6 +28,8 @@ public:
   void setScene(const ScenePtr& scene);
   void paint(const Picture& left, const Picture& right, const Display& display);
   void mark(const QVector<QVector<Point>>& lines);
+  /// Said at the top of each of two pictures.
+  void setCaptions(const QString& left, const QString& right);
   void setPicking(std::shared_ptr<const Picking> picking) { this->Targets = std::move(picking); }
 
   void setLayoutMode(Layout layout);
@@ -35,6 +37,7 @@ public:
   void setSwipe(double position);  ///< [0, 1] from the left
   double swipe() const { return this->SwipeAt; }
 
+  /// The field of view spans the smaller side of the view, or of each half.
   void look(const CameraPreset& camera);
   /// Fits the scene, seen along a direction.
   void lookAlong(const Point& direction, const Point& up);
@@ -42,11 +45,12 @@ public:
 
   void render();     ///< soon, once for all that changes until then
   QImage picture();  ///< rendered now
+  /// Another picture of the scene, square, rendered now beside what is shown.
+  QImage snapshot(const Picture& picture, const Display& display, const CameraPreset& camera);
 
 signals:
   void picked(const studio::Pick& pick);
   void swiped(double position);
-  void painted();  ///< the pictures are new, and not yet on the screen
 
 protected:
   bool event(QEvent* event) override;
@@ -59,11 +63,13 @@ private:
   void arrange();
   void beginTurning();
   void endTurning();
-  void syncCameras();
+  void setCameras();
   bool onSwipeLine(const QPointF& at) const;
   void pickAt(const QPointF& at);
 
-  ScenePainter First, Second;
+  ScenePtr Scene;
+  ScenePainter First, Second, Aside;
+  double FieldOfView = 45;  // degrees, across the smaller side
   std::shared_ptr<const Picking> Targets;
   Layout Mode = Layout::Single;
   double SwipeAt = 0.5;

@@ -120,7 +120,7 @@ void ShowPanel::read()
   this->Isolines->setChecked(d.isolines);
   this->Edges->setChecked(d.edges);
   this->Luminaires->setChecked(d.luminaires);
-  const auto range = rangeOf({this->Bench->shown()}, d);
+  const auto range = rangeOf(this->Bench->onOneScale(), d);
   this->Low->setValue(range[0]);
   this->High->setValue(range[1]);
   this->Low->setEnabled(!d.automaticRange);
@@ -141,7 +141,7 @@ void ShowPanel::write()
   if (!d.automaticRange)
   {
     // Leaving the automatic range starts from it; an empty one is widened at its upper end.
-    d.range = wasAutomatic ? rangeOf({this->Bench->shown()}, this->Bench->display())
+    d.range = wasAutomatic ? rangeOf(this->Bench->onOneScale(), this->Bench->display())
                            : std::array<double, 2>{this->Low->value(), this->High->value()};
     if (d.scale == Scale::Logarithmic && !(d.range[0] > 0))
       d.range[0] = 1e-3 * std::max(1.0, d.range[1]);

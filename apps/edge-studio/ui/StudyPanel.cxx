@@ -7,15 +7,28 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "Comparison.h"
+#include "Pictures.h"
 #include "Wording.h"
-#include "vtkKalosEstimatorAlgorithm.h"
 
 namespace studio
 {
 namespace
 {
-constexpr int pictureSize = 150;
+constexpr int pictureSize = 132;
+
+/// "+0.26 %"
+QString signedPercent(double fraction)
+{
+  return (fraction < 0 ? QStringLiteral("−") : QStringLiteral("+")) + percent(std::abs(fraction));
+}
+
+QString listText(const QVector<double>& numbers)
+{
+  QStringList parts;
+  for (double number : numbers)
+    parts << (number > 0 ? QString::number(number, 'g', 12) : QStringLiteral("auto"));
+  return parts.join(QStringLiteral(", "));
+}
 
 /// The picture above, the figures below.
 class PictureDelegate : public QStyledItemDelegate
@@ -65,41 +78,60 @@ StudyPanel::StudyPanel(Workbench* bench, SceneView* view, QWidget* parent) : QWi
   this->Epsilons = listEdit(QStringLiteral("studyEpsilons"), QStringLiteral("0.05, 0.2, auto"), metres);
   this->Start = new QPushButton(tr("Run the study with the chosen method"));
   this->Start->setObjectName(QStringLiteral("study"));
+  this->Redraw = new QPushButton(tr("Draw from here"));
+  this->Redraw->setObjectName(QStringLiteral("studyRedraw"));
+  this->Redraw->setToolTip(tr("Draws the pictures as the scene is seen now"));
   this->Grid = new QTableWidget;
   this->Grid->setObjectName(QStringLiteral("studyGrid"));
   this->Grid->setIconSize({pictureSize, pictureSize});
   this->Grid->setItemDelegate(new PictureDelegate(this->Grid));
   this->Grid->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  this->Grid->setSelectionMode(QAbstractItemView::SingleSelection);
+  this->Grid->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  this->Grid->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  this->Bar = new LegendBar(Qt::Horizontal);
+  this->Bar->setObjectName(QStringLiteral("studyLegend"));
+  this->About = new QLabel;
+  this->About->setObjectName(QStringLiteral("studyAbout"));
+  this->About->setWordWrap(true);
   auto* form = new QFormLayout;
   form->addRow(tr("Trajectories"), this->Trajectories);
   form->addRow(tr("δ, m"), this->Deltas);
   form->addRow(tr("ε, m"), this->Epsilons);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(this->Start, 1);
+  buttons->addWidget(this->Redraw);
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(form);
-  layout->addWidget(this->Start);
+  layout->addLayout(buttons);
   layout->addWidget(this->Grid, 1);
+  layout->addWidget(this->Bar);
+  layout->addWidget(this->About);
+  this->Soon.setSingleShot(true);
+  connect(&this->Soon, &QTimer::timeout, this, &StudyPanel::drawNext);
   connect(this->Start, &QPushButton::clicked, this, &StudyPanel::start);
-  connect(view, &SceneView::painted, this, &StudyPanel::takePicture);
+  connect(this->Redraw, &QPushButton::clicked, this, &StudyPanel::lookFromHere);
+  connect(bench, &Workbench::studyChanged, this, &StudyPanel::showStudy);
+  connect(bench, &Workbench::sceneChanged, this, &StudyPanel::showStudy);
+  connect(bench, &Workbench::resultsChanged, this, &StudyPanel::refresh);
+  connect(bench, &Workbench::displayChanged, this, &StudyPanel::refresh);
   connect(bench, &Workbench::runChanged, this,
           [this] { this->Start->setEnabled(this->Bench->scene() && !this->Bench->isRunning()); });
-  connect(bench, &Workbench::sceneChanged, this, [this] {
-    this->First = -1;
-    this->Grid->clear();
-    this->Grid->setRowCount(0);
-    this->Grid->setColumnCount(0);
-  });
   connect(this->Grid, &QTableWidget::cellClicked, this, [this](int row, int column) {
-    const int index = this->First + row * this->Columns + column;
-    if (this->First >= 0 && index < this->Bench->results().size())
+    const int index = this->Bench->results().lastIndexOf(this->Cells.value(row * this->Grid->columnCount() + column));
+    if (index >= 0)
       this->Bench->show(index);
   });
+  this->showStudy();
 }
 
 void StudyPanel::start()
 {
-  const QVector<double> trajectories = numberList(this->Trajectories->text(), false),
-                        deltas = numberList(this->Deltas->text(), true),
-                        epsilons = numberList(this->Epsilons->text(), true);
+  Study study;
+  study.base = this->Bench->settings();
+  study.trajectories = numberList(this->Trajectories->text(), false);
+  study.deltas = numberList(this->Deltas->text(), true);
+  study.epsilons = numberList(this->Epsilons->text(), true);
   for (QLineEdit* edit : {this->Trajectories, this->Deltas, this->Epsilons})
     if (numberList(edit->text(), edit != this->Trajectories).isEmpty())
     {
@@ -109,74 +141,111 @@ void StudyPanel::start()
                                     .arg(edit->objectName().mid(5).toLower(), edit->text(), edit->toolTip().toLower()));
       return;
     }
-  QStringList across, down;
-  QVector<MethodSettings> series;
-  for (double n : trajectories)
-    for (double delta : deltas)
-      for (double epsilon : epsilons)
-      {
-        MethodSettings settings = this->Bench->settings();
-        settings.goal = Goal::Trajectories;
-        settings.trajectories = std::llround(n);
-        settings.delta = delta;
-        settings.epsilon = epsilon;
-        series << settings;
-      }
-  for (double n : trajectories)
-    down << tr("N = %1").arg(n);
-  for (double delta : deltas)
-    for (double epsilon : epsilons)
-      across << tr("δ %1\nε %2").arg(lengthText(delta), lengthText(epsilon));
-  this->Columns = static_cast<int>(across.size());
-  this->Count = static_cast<int>(series.size());
-  this->First = static_cast<int>(this->Bench->results().size());
+  this->Bench->runStudy(study);
+}
+
+void StudyPanel::showStudy()
+{
+  const std::optional<Study>& study = this->Bench->study();
   this->Grid->clear();
-  this->Grid->setRowCount(static_cast<int>(down.size()));
-  this->Grid->setColumnCount(this->Columns);
-  this->Grid->setVerticalHeaderLabels(down);
-  this->Grid->setHorizontalHeaderLabels(across);
-  this->Grid->horizontalHeader()->setDefaultSectionSize(pictureSize + 8);
-  this->Grid->verticalHeader()->setDefaultSectionSize(pictureSize + 48);
-  if (this->First > 0)
-    this->Bench->show(this->First - 1);  // the view follows the newest result
-  this->Bench->runSeries(series);
-}
-
-QString StudyPanel::figures(const Result& result) const
-{
-  QString text = tr("error %1 · %2").arg(percent(result.quality.typical), duration(result.seconds));
-  std::optional<Deviation> deviation;
-  if (const auto truth = this->Bench->scene()->furnaceIlluminance())
-    deviation = deviationFrom(*truth, result);
-  else
+  this->Grid->setRowCount(study ? study->rows() : 0);
+  this->Grid->setColumnCount(study ? study->columns() : 0);
+  this->Redraw->setEnabled(study.has_value());
+  this->Cells.clear();
+  this->Stale.clear();
+  if (study)
   {
-    // The best that is there of the method without bias.
-    ResultPtr reference;
-    for (const ResultPtr& other : this->Bench->results())
-      if (other && other->complete && other->settings.method == vtkKalosEstimatorAlgorithm::COMPENSATED &&
-          (!reference || other->trajectories > reference->trajectories))
-        reference = other;
-    if (reference && reference.get() != &result)
-      deviation = deviationFrom(*reference, result);
+    this->Camera = this->View->camera();
+    this->Cells.resize(study->rows() * study->columns());
+    this->Stale.fill(false, this->Cells.size());
+    this->Trajectories->setText(listText(study->trajectories));
+    this->Deltas->setText(listText(study->deltas));
+    this->Epsilons->setText(listText(study->epsilons));
+    for (int row = 0; row < study->rows(); ++row)
+      this->Grid->setVerticalHeaderItem(row, new QTableWidgetItem(study->rowName(row)));
+    for (int column = 0; column < study->columns(); ++column)
+      this->Grid->setHorizontalHeaderItem(column, new QTableWidgetItem(study->columnName(column)));
+    this->Grid->horizontalHeader()->setDefaultSectionSize(pictureSize + 8);
+    this->Grid->verticalHeader()->setDefaultSectionSize(pictureSize + 2 * this->fontMetrics().lineSpacing() + 14);
   }
-  if (deviation)
-    text += QLatin1Char('\n') + tr("mean %1%2 %")
-                                    .arg(deviation->bias < 0 ? QStringLiteral("−") : QStringLiteral("+"))
-                                    .arg(100 * std::abs(deviation->bias), 0, 'g', 2);
-  return text;
+  this->refresh();
 }
 
-void StudyPanel::takePicture()
+void StudyPanel::lookFromHere()
 {
-  const int cell = this->Bench->shownIndex() - this->First;
-  const ResultPtr result = this->Bench->shown();
-  if (this->First < 0 || cell < 0 || cell >= this->Count || !result || !result->complete)
+  this->Camera = this->View->camera();
+  this->Range = {0, 0};
+  this->refresh();
+}
+
+void StudyPanel::refresh()
+{
+  const std::optional<Study>& study = this->Bench->study();
+  this->Bar->setVisible(study.has_value());
+  this->About->setVisible(study.has_value());
+  if (!study)
     return;
-  const int row = cell / this->Columns, column = cell % this->Columns;
-  if (this->Grid->item(row, column))
-    return;  // its picture is taken
-  const QImage picture =
-      this->View->picture().scaled(2 * pictureSize, 2 * pictureSize, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-  this->Grid->setItem(row, column, new QTableWidgetItem(QIcon(QPixmap::fromImage(picture)), this->figures(*result)));
+  const QVector<ResultPtr> before = this->Cells;
+  this->Cells = study->cells(this->Bench->results());
+  for (ResultPtr& cell : this->Cells)
+    if (cell && !cell->complete)
+      cell.reset();
+  const Display& display = this->Bench->display();
+  if (this->Cells == before && display == this->Drawn && this->Range[1] > 0)
+    return this->writeFigures();
+  const auto range = rangeOf(this->Cells, display);
+  const bool all = range != this->Range || display != this->Drawn;
+  this->Range = range;
+  this->Drawn = display;
+  for (int i = 0; i < this->Cells.size(); ++i)
+    this->Stale[i] = this->Cells[i] && (this->Stale[i] || all || this->Cells[i] != before.value(i));
+  this->Bar->setLegend(pictureOf(nullptr, this->Cells, display).legend);
+  this->writeFigures();
+  this->Soon.start();
+}
+
+void StudyPanel::drawNext()
+{
+  const int cell = static_cast<int>(this->Stale.indexOf(true));
+  if (cell < 0)
+    return;
+  this->Stale[cell] = false;
+  const Picture picture = pictureOf(this->Cells[cell], this->Cells, this->Drawn).first;
+  const QImage image = this->View->snapshot(picture, this->Drawn, this->Camera);
+  const double ratio = this->devicePixelRatioF();
+  QPixmap pixmap = QPixmap::fromImage(
+      image.scaled(QSize(pictureSize, pictureSize) * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+  pixmap.setDevicePixelRatio(ratio);
+  this->itemOf(cell)->setIcon(QIcon(pixmap));
+  this->Soon.start();
+}
+
+QTableWidgetItem* StudyPanel::itemOf(int cell)
+{
+  const int row = cell / this->Grid->columnCount(), column = cell % this->Grid->columnCount();
+  if (!this->Grid->item(row, column))
+    this->Grid->setItem(row, column, new QTableWidgetItem);
+  return this->Grid->item(row, column);
+}
+
+void StudyPanel::writeFigures()
+{
+  const Reference reference = referenceOf(*this->Bench->scene(), this->Bench->results());
+  const QString against = reference.describe();
+  this->About->setText(against.isEmpty() ? tr("Standard errors; what error and bias are measured against is not there.")
+                                         : tr("Error and bias over all points, against %1.").arg(against));
+  for (int i = 0; i < this->Cells.size(); ++i)
+    if (const ResultPtr& result = this->Cells[i])
+    {
+      const auto deviation = deviationFrom(reference, result);
+      const QString error = percent(deviation ? deviation->typical : result->quality.typical);
+      QTableWidgetItem* item = this->itemOf(i);
+      item->setText(
+          deviation ? tr("error %1\nbias %2 · %3").arg(error, signedPercent(deviation->bias), duration(result->seconds))
+                    : tr("standard error %1\n%2").arg(error, duration(result->seconds)));
+      item->setToolTip(
+          tr("%1\nstandard error %2, largest %3\nClick to show it in the scene")
+              .arg(result->settings.describe(), percent(result->quality.typical), percent(result->quality.largest)));
+    }
 }
 }  // namespace studio

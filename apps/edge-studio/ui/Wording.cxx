@@ -15,6 +15,8 @@ QString tr(const char* text)
   return QCoreApplication::translate("studio", text);
 }
 
+}  // namespace
+
 QString grouped(qint64 number)
 {
   QString text = QString::number(number);
@@ -22,7 +24,6 @@ QString grouped(qint64 number)
     text.insert(i, QChar(0x202F));
   return text;
 }
-}  // namespace
 
 QString explain(int method)
 {

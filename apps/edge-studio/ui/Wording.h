@@ -21,6 +21,9 @@ QString describeTimes(const Run& run);
 /// "4096 trajectories at 13 000 points / standard error 1.3 %, largest 9.8 % / 14 points not to be trusted"
 QString describeQuality(const Result& result);
 
+/// "13 000"
+QString grouped(qint64 number);
+
 /// Two to three significant digits: "0.34 %", "12 %".
 QString percent(double fraction);
 

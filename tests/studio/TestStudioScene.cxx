@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edge Studio's scenes: what their files bring, what is refused, how large ones are painted.
+#include "DataSets.h"
+#include "ModelTest.h"
+#include "PaintedSurface.h"
+#include "Triangles.h"
+#include "Workbench.h"
+#include "vtkAppendPolyData.h"
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkMath.h"
+#include "vtkPlaneSource.h"
+#include "vtkSphereSource.h"
+
+using namespace studio;
+
+class TestStudioScene : public ModelTest
+{
+  Q_OBJECT
+
+private slots:
+  void sceneHasItsPartsAndItsEdges()
+  {
+    const ScenePtr scene = SceneDocument::open(data("cornell/cornell.json"));
+    QCOMPARE(scene->sets(), (QStringList{"surfaces", "floor", "desk", "walls"}));
+    QCOMPARE(scene->usualSets(), (QStringList{"surfaces", "floor", "desk"}));
+    QCOMPARE(scene->cameras().size(), 1);
+    QCOMPARE(scene->luminaires()->GetNumberOfPoints(), 1);
+    QVERIFY(scene->edges()->GetNumberOfCells() > 8);
+    QVERIFY(!scene->furnaceIlluminance());
+    vtkDataSet* painted = dataSets(scene->receivers({"surfaces"})).front().data;
+    QVERIFY2(painted->GetNumberOfCells() > 2000 && painted->GetNumberOfCells() < 8000,
+             qPrintable(QString::number(painted->GetNumberOfCells())));
+    QVERIFY(painted->GetCellData()->GetNormals() && painted->GetCellData()->HasArray("Reflectance"));
+  }
+
+  void furnaceIsKnownAsSuch()
+  {
+    QCOMPARE(this->furnace()->furnaceIlluminance().value_or(0), 250.0);
+    QByteArray open = furnaceRoom();
+    open.replace(R"("u": [0,0,2.5], "v": [4,0,0])", R"("u": [0,0,2.4], "v": [4,0,0])");
+    QVERIFY(!SceneDocument::open(writeFile(this->Folder.path(), "open.json", open))->furnaceIlluminance());
+  }
+
+  void bareMeshBecomesAFurnace()
+  {
+    const ScenePtr scene = SceneDocument::open(data("sphere/sphere-2.obj"));
+    QVERIFY(scene->isBareMesh());
+    QCOMPARE(scene->furnaceIlluminance().value_or(0), 200.0);
+    QCOMPARE(scene->sets(), QStringList{"surfaces"});
+  }
+
+  // Ke is a luminance: 100/pi cd/m2 with a reflectance of 0.5 make a furnace of 200 lx.
+  void objBringsItsMaterials()
+  {
+    writeFile(this->Folder.path(), "cube.mtl", "newmtl glow\nKd 0.5 0.5 0.5\nKe 31.830989 31.830989 31.830989\n");
+    const QString path =
+        writeFile(this->Folder.path(), "cube.obj",
+                  "mtllib cube.mtl\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\n"
+                  "usemtl glow\nf 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n");
+    const ScenePtr scene = SceneDocument::open(path);
+    QVERIFY(!scene->isBareMesh());
+    QVERIFY(std::abs(scene->furnaceIlluminance().value_or(0) - 200) < 1e-3);
+    QVERIFY2(scene->sets().size() > 1, "a model gets a work plane");
+  }
+
+  void gltfBringsItsLights()
+  {
+    const QString path = writeFile(this->Folder.path(), "floor.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
+      "scenes": [{"nodes": [0, 1]}],
+      "nodes": [{"mesh": 0}, {"translation": [0.3, 1, -0.3], "extensions": {"KHR_lights_punctual": {"light": 0}}}],
+      "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+      "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+      "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}],
+      "buffers": [{"byteLength": 36, "uri":
+        "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAAAAAIC/"}],
+      "extensionsUsed": ["KHR_lights_punctual"],
+      "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "intensity": 100}]}}})");
+    const ScenePtr scene = SceneDocument::open(path);
+    QCOMPARE(scene->luminaires()->GetNumberOfPoints(), 1);
+    QVERIFY2(std::abs(scene->luminaires()->GetPoint(0)[2] - 1) < 1e-6, "y is up in glTF");
+    QVERIFY(!scene->isBareMesh() && scene->sets().contains("surfaces"));
+  }
+
+  void brokenSceneIsRefusedAndTheOldOneStays_data()
+  {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("message");
+    QTest::newRow("no JSON") << QByteArray("{") << QStringLiteral("line 1, column 2: malformed JSON");
+    QTest::newRow("unknown key") << QByteArray(furnaceRoom()).replace("\"kalos\"", "\"colour\": 1, \"kalos\"")
+                                 << QStringLiteral("colour");
+    QTest::newRow("reflectance") << QByteArray(furnaceRoom()).replace("0.6", "1.6")
+                                 << QStringLiteral("materials.glow.reflectance: found 1.6");
+  }
+
+  void brokenSceneIsRefusedAndTheOldOneStays()
+  {
+    QFETCH(QByteArray, text);
+    QFETCH(QString, message);
+    Workbench bench;
+    bench.open(data("cornell/cornell-empty.json"));
+    const ScenePtr before = bench.scene();
+    const QString path = writeFile(this->Folder.path(), "broken.json", text);
+    const QString problem = problemOf([&] { bench.open(path); });
+    QVERIFY2(problem.startsWith(path + ": ") && problem.contains(message), qPrintable(problem));
+    QCOMPARE(bench.scene(), before);
+  }
+
+  void missingMeshIsRefused()
+  {
+    QCOMPARE(problemOf([] { SceneDocument::open("nowhere.obj"); }),
+             QStringLiteral("nowhere.obj: file: no such file; expected a mesh"));
+  }
+
+  void largeMeshIsPaintedFromFewPoints()
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetThetaResolution(240);
+    sphere->SetPhiResolution(240);
+    sphere->SetRadius(1);
+    vtkNew<vtkPlaneSource> floor;
+    floor->SetOrigin(-5, -5, -1);
+    floor->SetPoint1(5, -5, -1);
+    floor->SetPoint2(-5, 5, -1);
+    vtkNew<vtkAppendPolyData> both;
+    both->AddInputConnection(sphere->GetOutputPort());
+    both->AddInputConnection(floor->GetOutputPort());
+    both->Update();
+    const PaintedSurface painted = paintedSurface(both->GetOutput(), 1000);
+    vtkPolyData *shape = painted.shape, *receivers = painted.receivers;
+    QVERIFY(shape->GetNumberOfCells() > 100000);
+    QVERIFY(receivers->GetNumberOfCells() > 300 && receivers->GetNumberOfCells() <= 4000);
+    QCOMPARE(painted.standIns->GetNumberOfIds(), shape->GetNumberOfCells());
+    vtkIdType ofFloor = 0;
+    for (vtkIdType i = 0; i < shape->GetNumberOfCells(); ++i)
+    {
+      const vtkIdType r = painted.standIns->GetId(i);
+      QVERIFY(r >= 0 && r < receivers->GetNumberOfCells());
+      QCOMPARE(facing(shape->GetCellData()->GetNormals(), i), facing(receivers->GetCellData()->GetNormals(), r));
+      double a[3], b[3];
+      cellCentre(shape, i, a);
+      cellCentre(receivers, r, b);
+      QVERIFY(std::sqrt(vtkMath::Distance2BetweenPoints(a, b)) < 1.5);
+    }
+    for (vtkIdType r = 0; r < receivers->GetNumberOfCells(); ++r)
+    {
+      double at[3];
+      cellCentre(receivers, r, at);
+      ofFloor += at[2] < -0.9999;
+    }
+    QVERIFY2(ofFloor > 100, "the floor was two triangles");
+  }
+};
+
+QTEST_GUILESS_MAIN(TestStudioScene)
+#include "TestStudioScene.moc"
