@@ -53,7 +53,9 @@ RunPlan planReceivers(const SceneDocument& scene, vtkDataObject* receivers, cons
             for (int wanted : {1200, 6000, 30000})
               if (const auto some = someReceivers(all, wanted))
                 steps.push_back({quick(settings), [=] { illuminance->SetInputDataObject(0, some); },
-                                 [spread = std::make_shared<Spread>(some, all)](vtkDataObject* solved) {
+                                 [some, all, spread = std::shared_ptr<Spread>()](vtkDataObject* solved) mutable {
+                                   if (!spread)
+                                     spread = std::make_shared<Spread>(some, all);
                                    return spread->over(solved);
                                  }});
             steps.push_back({settings, [=] { illuminance->SetInputDataObject(0, all); }, {}});

@@ -10,13 +10,16 @@
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
 #include "vtkContourFilter.h"
+#include "vtkCoordinate.h"
 #include "vtkDataArray.h"
 #include "vtkFeatureEdges.h"
 #include "vtkKalosSingularEdges.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPolyDataMapper2D.h"
 #include "vtkProperty.h"
+#include "vtkProperty2D.h"
 #include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVertexGlyphFilter.h"
@@ -25,6 +28,22 @@ namespace studio
 {
 namespace
 {
+vtkSmartPointer<vtkPolyData> linesOf(const QVector<QVector<std::array<double, 3>>>& lines)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (const auto& line : lines)
+  {
+    cells->InsertNextCell(line.size());
+    for (const auto& point : line)
+      cells->InsertCellPoint(points->InsertNextPoint(point.data()));
+  }
+  data->SetPoints(points);
+  data->SetLines(cells);
+  return data;
+}
+
 /// Colours the mapper's own data by bands of luminance.
 void photograph(vtkPolyDataMapper* mapper, const QByteArray& bandsName, bool byPoint, const Exposure& exposure)
 {
@@ -63,6 +82,16 @@ ScenePainter::ScenePainter()
   text->SetColor(1, 1, 1);
   text->SetBackgroundColor(0.12, 0.125, 0.13);
   text->SetBackgroundOpacity(0.75);
+
+  vtkNew<vtkCoordinate> side;
+  side->SetCoordinateSystemToNormalizedViewport();
+  vtkNew<vtkPolyDataMapper2D> line;
+  line->SetInputData(linesOf({{{1, 0, 0}, {1, 1, 0}}}));
+  line->SetTransformCoordinate(side);
+  this->Divider->SetMapper(line);
+  this->Divider->GetProperty()->SetColor(1, 1, 1);
+  this->Divider->GetProperty()->SetLineWidth(2);
+  this->Divider->VisibilityOff();
 }
 
 void ScenePainter::setPixelRatio(double ratio)
@@ -95,6 +124,7 @@ void ScenePainter::setScene(const ScenePtr& scene)
   this->Scene = scene;
   this->Renderer->RemoveAllViewProps();
   this->Renderer->AddActor2D(this->Caption);
+  this->Renderer->AddActor2D(this->Divider);
   this->Receivers.clear();
 
   vtkNew<vtkPolyDataMapper> mapper;
@@ -264,18 +294,7 @@ void ScenePainter::mark(const QVector<QVector<std::array<double, 3>>>& lines)
 {
   if (this->Marks)
     this->Renderer->RemoveActor(this->Marks);
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> cells;
-  for (const auto& line : lines)
-  {
-    cells->InsertNextCell(line.size());
-    for (const auto& point : line)
-      cells->InsertCellPoint(points->InsertNextPoint(point.data()));
-  }
-  data->SetPoints(points);
-  data->SetLines(cells);
-  this->Marks = this->addLines(data, 2.5);
+  this->Marks = this->addLines(linesOf(lines), 2.5);
   this->Marks->GetProperty()->SetColor(0.2, 1, 0.3);
 }
 }  // namespace studio

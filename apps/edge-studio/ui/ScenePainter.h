@@ -9,6 +9,7 @@
 #include "Display.h"
 #include "SceneDocument.h"
 #include "ToneMapping.h"
+#include "vtkActor2D.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
@@ -47,6 +48,8 @@ public:
 
   /// A line of text at the top.
   void setCaption(const QString& text);
+  /// A line at the right side, towards another picture.
+  void setDivider(bool shown) { this->Divider->SetVisibility(shown); }
 
 private:
   void clearReceivers();
@@ -61,6 +64,7 @@ private:
   vtkNew<vtkRenderer> Renderer;
   QVector<vtkSmartPointer<vtkActor>> Receivers;
   vtkNew<vtkTextActor> Caption;
+  vtkNew<vtkActor2D> Divider;
   vtkSmartPointer<vtkActor> Shape, Edges, Contacts, Luminaires, Marks;
 };
 }  // namespace studio

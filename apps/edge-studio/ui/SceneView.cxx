@@ -105,6 +105,7 @@ void SceneView::arrange()
   this->Second.renderer()->SetViewport(two ? cut : 0, 0, 1, 1);
   this->Second.renderer()->SetDraw(two);
   this->Second.renderer()->SetInteractive(false);
+  this->First.setDivider(two);
   // Where the middle of a part lies in the whole, in halves of the part's width.
   const bool whole = this->Mode == Layout::Swipe;
   this->First.renderer()->GetActiveCamera()->SetWindowCenter(whole ? (cut - 1) / cut : 0, 0);
