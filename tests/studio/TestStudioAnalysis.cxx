@@ -113,7 +113,7 @@ private slots:
     QCOMPARE(right->GetViewAngle(), left->GetViewAngle());
     const double shape = 0.5 * this->Window->view()->width() / this->Window->view()->height();
     QVERIFY(std::abs(shape * std::tan(left->GetViewAngle() * M_PI / 360) - std::tan(45 * M_PI / 360)) < 1e-9);
-    left->Azimuth(-7);
+    this->Window->view()->look(bench->scene()->cameras().front());
     this->keep("07-side-by-side");
     choose(2);
     SceneView* view = this->Window->view();
@@ -158,8 +158,9 @@ private slots:
     {
       const QTableWidgetItem* item = grid->item(cell / 2, cell % 2);
       QTRY_VERIFY(item && !item->icon().isNull());
-      QVERIFY2(item->text().contains("error ") && item->text().contains("bias ") && item->text().endsWith(" s"),
-               qPrintable(item->text()));
+      QVERIFY2(
+          item->text().contains("error ") && item->text().contains("bias ") && item->text().endsWith(QLatin1Char('s')),
+          qPrintable(item->text()));
       // All on one scale: in the middle of the desk each picture has the colour of the mean of the four cells there.
       vtkDataArray* lux = arrayOf(bench->results()[cell]->set("desk"), "Illuminance");
       const double middle =

@@ -120,7 +120,6 @@ private slots:
     this->Window->bench()->setSettings(settings);
     this->find<QTabWidget>("centre")->setCurrentIndex(1);
     this->click("computeImage");
-    auto* panel = this->Window->findChild<ImagePanel*>();
     QTRY_VERIFY_WITH_TIMEOUT(this->Window->bench()->image().result(), 30000);
     auto said = this->answer(QMessageBox::No);
     QVERIFY(!this->Window->close());

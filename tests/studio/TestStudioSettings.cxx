@@ -118,6 +118,28 @@ private slots:
     QVERIFY(colour[0] > 2 * colour[1] && colour[1] == colour[2]);
   }
 
+  void presetsShowAllOfAScene()
+  {
+    const double bounds[6] = {1, 5, -2, 1, 0, 2.5};
+    for (double shape : {0.5, 1.0, 2.0})
+    {
+      const CameraPreset camera = fitted(bounds, {0, 0, -1}, {0, 1, 0}, shape);
+      QCOMPARE(camera.target, (std::array<double, 3>{3, -0.5, 1.25}));
+      // From above: what is nearest, 2.5 m high, touches a margin of 6 %.
+      const double above = camera.position[2] - 2.5, least = std::tan(17.5 * M_PI / 180);
+      const double across = 2 / (above * least * std::max(1.0, shape)),
+                   along = 1.5 / (above * least * std::max(1.0, 1 / shape));
+      QVERIFY2(std::abs(std::max(across, along) - 1 / 1.06) < 1e-9, qPrintable(QString::number(across)));
+      QVERIFY(std::abs(camera.verticalAngle(shape) / 2 * M_PI / 180 - std::atan(least * std::max(1.0, 1 / shape))) <
+              1e-12);
+    }
+    CameraPreset camera{"", {1, 2, 3}, {4, 5, 6}, {0, 1, 0}, 33};
+    QCOMPARE(CameraPreset::fromJson(camera.toJson(), "f").toJson(), camera.toJson());
+    camera.fieldOfView = 180;
+    QCOMPARE(problemOf([&] { CameraPreset::fromJson(camera.toJson(), "f: camera"); }),
+             QStringLiteral("f: camera/fov_deg: is 180, expected a number from 0.1 to 179"));
+  }
+
   void roundValuesAreRound()
   {
     QCOMPARE(roundValues({0, 300}, false, 6), (QVector<double>{0, 50, 100, 150, 200, 250, 300}));

@@ -2,11 +2,12 @@
 // What the real window says: all of it can be translated, none of it is cut off.
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QMenu>
 #include <QTabWidget>
-#include <QToolButton>
 #include <QTranslator>
 
 #include "ChartView.h"
@@ -79,6 +80,8 @@ private:
     const auto* label = qobject_cast<const QLabel*>(widget);
     if (label && label->wordWrap())
       return label->heightForWidth(label->width()) > label->height();
+    if (const auto* edit = widget->findChild<const QLineEdit*>(); edit && qobject_cast<const QAbstractSpinBox*>(widget))
+      return edit->fontMetrics().horizontalAdvance(edit->text()) > edit->width() - 4;  // not of the largest number
     return widget->width() < widget->minimumSizeHint().width() || widget->height() < widget->minimumSizeHint().height();
   }
   static QString name(const QWidget* widget)
@@ -133,8 +136,8 @@ private slots:
         for (auto* widget : this->Window->findChildren<QWidget*>())
         {
           const bool says = qobject_cast<QLabel*>(widget) || qobject_cast<QComboBox*>(widget) ||
-                            qobject_cast<QAbstractSpinBox*>(widget) ||
-                            (qobject_cast<QAbstractButton*>(widget) && !qobject_cast<QToolButton*>(widget));
+                            qobject_cast<QAbstractSpinBox*>(widget) || qobject_cast<QPushButton*>(widget) ||
+                            qobject_cast<QCheckBox*>(widget);
           if (says && widget->isVisible() && isCutOff(widget))
             bad << this->name(widget);
         }

@@ -22,6 +22,10 @@ struct CameraPreset
   /// Throws Problem.
   static CameraPreset fromJson(const QJsonObject& object, const QString& where);
 };
+
+/// Sees all of a box (as vtkDataSet::GetBounds() gives it) along a direction, in a picture of this width over height.
+CameraPreset fitted(const double bounds[6], const std::array<double, 3>& direction, const std::array<double, 3>& up,
+                    double shape);
 }  // namespace studio
 
 #endif

@@ -123,8 +123,8 @@ std::optional<CameraPreset> openSession(Workbench& bench, const QString& path)
   if (const QJsonObject object = fields.object(QStringLiteral("image")); !object.isEmpty())
   {
     request = ImageRequest::fromJson(object, fields.at(QStringLiteral("image")));
-    if (const QString file = resultsFolder(path).filePath(imageFile); QFileInfo(file).isFile())
-      image = readImage(request->settings, file);
+    if (const QString stored = resultsFolder(path).filePath(imageFile); QFileInfo(stored).isFile())
+      image = readImage(request->settings, stored);
   }
   fields.finish();
   bench.open(QFileInfo(path).absoluteDir().absoluteFilePath(scene));

@@ -121,7 +121,7 @@ Study Study::fromJson(const QJsonObject& object, const QString& where)
 QString Reference::describe() const
 {
   if (this->truth)
-    return tr("%1 lx, which are known").arg(*this->truth);
+    return tr("the known %1 lx").arg(*this->truth);
   return this->result ? this->result->settings.describe() : QString();
 }
 

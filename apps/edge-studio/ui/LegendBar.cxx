@@ -36,7 +36,7 @@ public:
     this->Upright ? this->placeUpright() : this->placeLying();
     this->bar();
     const double length = this->Upright ? this->Bar.height() : this->Bar.width();
-    const int wanted = std::max(2, static_cast<int>(length / ((this->Upright ? 2.2 : 4.5) * this->Line)));
+    const int wanted = std::max(2, static_cast<int>(length / ((this->Upright ? 2.2 : 3.5) * this->Line)));
     const double* range = this->Shown.colours->GetTableRange();
     const bool lines = !this->Shown.isolines.isEmpty();
     for (double value : lines ? this->Shown.isolines : roundValues({range[0], range[1]}, this->logarithmic(), wanted))

@@ -20,7 +20,6 @@
 #include "vtkPolyDataMapper2D.h"
 #include "vtkProperty.h"
 #include "vtkProperty2D.h"
-#include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVertexGlyphFilter.h"
 
@@ -74,15 +73,6 @@ void photograph(vtkPolyDataMapper* mapper, const QByteArray& bandsName, bool byP
 ScenePainter::ScenePainter()
 {
   this->Renderer->SetBackground(0.235, 0.245, 0.26);
-  this->Caption->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  this->Caption->SetPosition(0.5, 1);
-  vtkTextProperty* text = this->Caption->GetTextProperty();
-  text->SetJustificationToCentered();
-  text->SetVerticalJustificationToTop();
-  text->SetColor(1, 1, 1);
-  text->SetBackgroundColor(0.12, 0.125, 0.13);
-  text->SetBackgroundOpacity(0.75);
-
   vtkNew<vtkCoordinate> side;
   side->SetCoordinateSystemToNormalizedViewport();
   vtkNew<vtkPolyDataMapper2D> line;
@@ -99,7 +89,6 @@ void ScenePainter::setPixelRatio(double ratio)
   if (ratio == this->PixelRatio)
     return;
   this->PixelRatio = ratio;
-  this->Caption->GetTextProperty()->SetFontSize(static_cast<int>(14 * ratio));
   if (this->Scene)
     this->setScene(this->Scene);
 }
@@ -123,7 +112,6 @@ void ScenePainter::setScene(const ScenePtr& scene)
 {
   this->Scene = scene;
   this->Renderer->RemoveAllViewProps();
-  this->Renderer->AddActor2D(this->Caption);
   this->Renderer->AddActor2D(this->Divider);
   this->Receivers.clear();
 
@@ -283,11 +271,6 @@ void ScenePainter::addBorder(vtkDataSet* plane)
   actor->GetMapper()->ScalarVisibilityOff();
   actor->GetProperty()->SetColor(0.75, 0.77, 0.8);
   this->Receivers << actor;
-}
-
-void ScenePainter::setCaption(const QString& text)
-{
-  this->Caption->SetInput(text.isEmpty() ? "" : (QLatin1Char(' ') + text + QLatin1Char(' ')).toUtf8().constData());
 }
 
 void ScenePainter::mark(const QVector<QVector<std::array<double, 3>>>& lines)

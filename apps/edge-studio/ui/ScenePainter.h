@@ -13,7 +13,6 @@
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
-#include "vtkTextActor.h"
 
 class vtkActor;
 
@@ -46,8 +45,6 @@ public:
   /// A small cross on the surface, and a line from there.
   void mark(const QVector<QVector<std::array<double, 3>>>& lines);
 
-  /// A line of text at the top.
-  void setCaption(const QString& text);
   /// A line at the right side, towards another picture.
   void setDivider(bool shown) { this->Divider->SetVisibility(shown); }
 
@@ -63,7 +60,6 @@ private:
   double PixelRatio = 1;
   vtkNew<vtkRenderer> Renderer;
   QVector<vtkSmartPointer<vtkActor>> Receivers;
-  vtkNew<vtkTextActor> Caption;
   vtkNew<vtkActor2D> Divider;
   vtkSmartPointer<vtkActor> Shape, Edges, Contacts, Luminaires, Marks;
 };

@@ -38,6 +38,13 @@ SceneView::SceneView(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
   this->setMinimumSize(240, 200);
   this->setMouseTracking(true);
 
+  for (QLabel*& caption : this->Captions)
+  {
+    caption = new QLabel(this);
+    caption->setStyleSheet(QStringLiteral("color: white; background: rgb(30, 32, 34); padding: 2px 6px"));
+    caption->setAttribute(Qt::WA_TransparentForMouseEvents);
+    caption->hide();
+  }
   this->Soon.setSingleShot(true);
   connect(&this->Soon, &QTimer::timeout, this, [this] {
     if (this->isVisible())
@@ -79,9 +86,23 @@ void SceneView::mark(const QVector<QVector<Point>>& lines)
 
 void SceneView::setCaptions(const QString& left, const QString& right)
 {
-  this->First.setCaption(left);
-  this->Second.setCaption(right);
-  this->render();
+  this->Captions[0]->setText(left);
+  this->Captions[1]->setText(right);
+  this->placeCaptions();
+}
+
+void SceneView::placeCaptions()
+{
+  const double cut = this->First.renderer()->GetViewport()[2];
+  const std::array<double, 2> middle{0.5 * cut, 0.5 * (1 + cut)}, share{cut, 1 - cut};
+  for (int i = 0; i < 2; ++i)
+  {
+    QLabel* caption = this->Captions[i];
+    caption->setMaximumWidth(std::max(1, static_cast<int>(share[i] * this->width()) - 8));
+    caption->adjustSize();
+    caption->move(static_cast<int>(middle[i] * this->width()) - caption->width() / 2, 6);
+    caption->setVisible(!caption->text().isEmpty());
+  }
 }
 
 void SceneView::setLayoutMode(Layout layout)
@@ -110,6 +131,7 @@ void SceneView::arrange()
   const bool whole = this->Mode == Layout::Swipe;
   this->First.renderer()->GetActiveCamera()->SetWindowCenter(whole ? (cut - 1) / cut : 0, 0);
   this->Second.renderer()->GetActiveCamera()->SetWindowCenter(whole ? cut / (1 - cut) : 0, 0);
+  this->placeCaptions();
   this->render();
 }
 
@@ -147,14 +169,8 @@ void SceneView::look(const CameraPreset& preset)
 
 void SceneView::lookAlong(const Point& direction, const Point& up)
 {
-  vtkCamera* camera = this->First.renderer()->GetActiveCamera();
-  camera->SetViewAngle(35);
-  camera->SetFocalPoint(0, 0, 0);
-  camera->SetPosition(-direction[0], -direction[1], -direction[2]);
-  camera->SetViewUp(up.data());
-  this->First.renderer()->ResetCamera();
-  this->FieldOfView = 35 / 1.2;  // what was fitted is a sphere around the scene
-  this->render();
+  this->look(fitted(this->Scene->surfaces()->GetBounds(), direction, up,
+                    static_cast<double>(this->width()) / std::max(1, this->height())));
 }
 
 CameraPreset SceneView::camera() const
@@ -176,7 +192,11 @@ void SceneView::render()
 QImage SceneView::picture()
 {
   this->renderWindow()->Render();
-  return this->grabFramebuffer();
+  QImage picture = this->grabFramebuffer();
+  for (QLabel* caption : this->Captions)
+    if (!caption->text().isEmpty())
+      caption->render(&picture, caption->pos(), {}, DrawWindowBackground);
+  return picture;
 }
 
 QImage SceneView::snapshot(const Picture& picture, const Display& display, const CameraPreset& camera)
@@ -191,7 +211,8 @@ QImage SceneView::snapshot(const Picture& picture, const Display& display, const
   this->First.renderer()->DrawOff();
   this->Second.renderer()->DrawOff();
   this->Aside.renderer()->DrawOn();
-  const QImage whole = this->picture();
+  this->renderWindow()->Render();
+  const QImage whole = this->grabFramebuffer();
   this->Aside.renderer()->DrawOff();
   this->Aside.paint({}, display);
   this->First.renderer()->DrawOn();
@@ -206,5 +227,6 @@ void SceneView::resizeEvent(QResizeEvent* event)
   QVTKOpenGLNativeWidget::resizeEvent(event);
   this->First.setPixelRatio(this->devicePixelRatioF());
   this->Second.setPixelRatio(this->devicePixelRatioF());
+  this->placeCaptions();
 }
 }  // namespace studio

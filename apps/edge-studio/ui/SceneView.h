@@ -4,6 +4,7 @@
 #define studio_SceneView_h
 
 #include <QVTKOpenGLNativeWidget.h>
+#include <QLabel>
 #include <QTimer>
 
 #include "Picking.h"
@@ -61,6 +62,7 @@ protected:
 
 private:
   void arrange();
+  void placeCaptions();
   void beginTurning();
   void endTurning();
   void setCameras();
@@ -69,6 +71,7 @@ private:
 
   ScenePtr Scene;
   ScenePainter First, Second, Aside;
+  std::array<QLabel*, 2> Captions;
   double FieldOfView = 45;  // degrees, across the smaller side
   std::shared_ptr<const Picking> Targets;
   Layout Mode = Layout::Single;

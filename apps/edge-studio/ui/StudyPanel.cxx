@@ -232,8 +232,9 @@ void StudyPanel::writeFigures()
 {
   const Reference reference = referenceOf(*this->Bench->scene(), this->Bench->results());
   const QString against = reference.describe();
-  this->About->setText(against.isEmpty() ? tr("Standard errors; what error and bias are measured against is not there.")
-                                         : tr("Error and bias over all points, against %1.").arg(against));
+  this->About->setText(against.isEmpty()
+                           ? tr("Standard errors; what error and bias are measured against is not there.")
+                           : tr("Error and bias over all points, against %1. Noise is in both.").arg(against));
   for (int i = 0; i < this->Cells.size(); ++i)
     if (const ResultPtr& result = this->Cells[i])
     {

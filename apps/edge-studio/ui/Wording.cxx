@@ -67,6 +67,8 @@ QString title(Quantity quantity)
 
 QString duration(double seconds)
 {
+  if (seconds < 0.1)
+    return tr("%1 ms").arg(1000 * seconds, 0, 'g', 2);
   if (seconds < 10)
     return tr("%1 s").arg(seconds, 0, 'f', 1);
   if (seconds < 100)

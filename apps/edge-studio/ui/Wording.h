@@ -27,7 +27,7 @@ QString grouped(qint64 number);
 /// Two to three significant digits: "0.34 %", "12 %".
 QString percent(double fraction);
 
-/// "12 s", "3 min 20 s"
+/// "24 ms", "12 s", "3 min 20 s"
 QString duration(double seconds);
 }  // namespace studio
 
