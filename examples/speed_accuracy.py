@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Speed against accuracy: how long every method takes for an error of 5, 2, 1 and 0.5 % on the desk plane of the Cornell room.
+"""Speed against accuracy: how long every method takes for an error of 5, 2, 1, 0.5 and 0.3 % on the desk plane of the Cornell room.
 
     PYTHONPATH=build/python examples/speed_accuracy.py OUT
 

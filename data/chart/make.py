@@ -5,6 +5,7 @@
 edge-cornell.json, edge-furnace.json: 48 points on the floor, evenly in the logarithm from 0.1 mm to 2.5 m off the left wall, 1 m
 from the front. wall-cornell.json: a plane of 64 x 64 points 1 mm off the left wall, looking away from it. sobolev-row.json:
 Sobolev's planes of reflectance 0.5, 41 points from the foot of the source to 10 H; squares of 200 m stand for the planes.
+image-cornell.json: the camera of the room at 512 x 512 pixels.
 """
 import json
 import sys
@@ -24,6 +25,14 @@ def cornell(receivers):
     scene["surfaces"][0]["file"] = "../cornell/room.obj"
     scene.pop("cameras")
     return {**scene, "receivers": receivers}
+
+
+def image():
+    scene = json.loads((HERE.parent / "cornell" / "cornell.json").read_text())
+    scene["surfaces"][0]["file"] = "../cornell/room.obj"
+    scene.pop("receivers")
+    scene["cameras"][0]["resolution"] = [512, 512]
+    return scene
 
 
 def furnace(receivers):
@@ -54,4 +63,5 @@ if __name__ == "__main__":
     dump(cornell(edge), HERE / "edge-cornell.json")
     dump(furnace(edge), HERE / "edge-furnace.json")
     dump(cornell(wall), HERE / "wall-cornell.json")
+    dump(image(), HERE / "image-cornell.json")
     dump(planes([{"name": "row", "points": "row.csv"}]), HERE / "sobolev-row.json")

@@ -36,8 +36,9 @@ def draw_chart(folder, result):
             main.axhline(100 * result["reference"]["rms"], color="0.6", linewidth=0.8, linestyle=":")
             main.text(0.985, 100 * result["reference"]["rms"], "reference itself", fontsize=7.5, color=GREY, ha="right",
                       va="bottom", transform=main.get_yaxis_transform())
-    small = [("95 % of the receivers are better", "cpu_seconds", f"p95_of_{of}", "processor time, s"),
-             ("worst receiver", "cpu_seconds", f"max_of_{of}", "processor time, s")]
+    single = "pixel" if result["quantity"] == "luminance" else "receiver"
+    small = [(f"95 % of the {single}s are better", "cpu_seconds", f"p95_of_{of}", "processor time, s"),
+             (f"worst {single}", "cpu_seconds", f"max_of_{of}", "processor time, s")]
     if any(row["rays"] for row in result["steps"]):
         small.insert(0, ("rms error", "rays", f"rms_of_{of}", "rays"))
     height = 0.86 / len(small)
@@ -46,10 +47,10 @@ def draw_chart(folder, result):
         curves(axes, result, styles, along, name, small=True)
         finish(axes, title, label, small=True)
     reference = result["reference"]
-    own = "each receiver's own value" if of == "value" else "the mean over the receivers"
+    own = f"each {single}'s own value" if of == "value" else f"the mean over the {single}s"
     accuracy = "" if reference["rms"] == 0 else f", itself within {100 * reference['rms']:.2g} %"
     threads = "one thread" if result["threads"] == 1 else f"{result['threads']} threads"
-    figure.text(0.07, 0.965, f"{Path(result['scene']).stem}, {result['receivers']}: error against time, {result['lit']} receivers", fontsize=13.5, va="top")
+    figure.text(0.07, 0.965, f"{Path(result['scene']).stem}, {result['receivers']}: error against time, {result['lit']} {single}s", fontsize=13.5, va="top")
     line = f"Errors in % of {own}; reference: {reference['source']}{accuracy}. {threads.capitalize()}, set-up apart."
     figure.text(0.07, 0.915, line, fontsize=9, color=GREY, va="top")
     for kind in ("png", "svg"):

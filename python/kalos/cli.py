@@ -93,6 +93,7 @@ def add_chart_options(command):
     add("scene", metavar="SCENE.json", help="the scene file")
     add("--out", metavar="DIR", required=True, help="folder for the results; made if it is not there")
     add("--receivers", metavar="NAME", help="the receiver set to measure on (all of the scene, together)")
+    add("--camera", metavar="NAME", help="the camera to measure the image of, instead of receivers")
     add("--methods", metavar="a,b,...", type=methods, help=f"methods of Kalos out of {', '.join(METHODS)} (all)")
     add("--peers", metavar="a,b,...", type=peers, default=PEERS,
         help=f"other programs out of {', '.join(PEERS)}, or none (all that are installed where KALOS_PEERS_PYTHON points to)")
@@ -150,7 +151,7 @@ def run_chart(arguments):
     from kalos.chart import chart
 
     chart(arguments.scene, arguments.out, arguments.receivers, arguments.methods, arguments.peers, arguments.relative_to,
-          arguments.budget, arguments.reference_trajectories, arguments.seed, arguments.threads, say=print)
+          arguments.budget, arguments.reference_trajectories, arguments.seed, arguments.threads, say=print, camera=arguments.camera)
     return 0
 
 

@@ -3,19 +3,22 @@
 from dataclasses import replace
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from kalos import arrays
+from kalos.clearance import triangles
 from kalos.errors import KalosError
 from kalos.estimator import METHODS, Options
 from kalos.peers import NAMES, Absent, Run
-from kalos.peers.description import beyond, describe
+from kalos.peers.description import band_weights, beyond, describe, materials
 from kalos.peers.mitsuba3 import Mitsuba
 from kalos.peers.radiance import CachedRadiance, Radiance
 from kalos.progress import run
 from kalos.receivers import from_dataset
-from kalos.solve import illuminance, receiver_names
+from kalos.sight import camera_rays, first_faces, normals_towards
+from kalos.solve import camera_names, illuminance, luminance_image, receiver_names
 from kalos.subject import Estimate, Subject
-from kalos.summary import field_value, trajectories
+from kalos.summary import audit, field_value, trajectories
 
 PEERS = dict(zip(NAMES, (Mitsuba, Radiance, CachedRadiance)))
 LEAST = 32  # trajectories: one per replicate
@@ -23,6 +26,8 @@ LEAST = 32  # trajectories: one per replicate
 
 class Room(Subject):
     """The receivers of a scene file, all of its sets together or one."""
+
+    response, emitted = None, 0.0  # of receivers to illuminance, as kalos.peers.description has it
 
     def __init__(self, path, wanted=None):
         super().__init__(path)
@@ -46,13 +51,55 @@ class Room(Subject):
         self.receivers = [from_dataset("receivers", output if one else output.GetBlock(i)) for i in self.chosen]
         return Estimate(self.joined("illuminance"), self.joined("standard_error"), None, trajectories(output),
                         field_value(output, arrays.SOLVE_SECONDS), field_value(output, arrays.SOLVE_CPU_SECONDS),
-                        field_value(output, arrays.RAYS))
+                        field_value(output, arrays.RAYS), self.joined("direct"), tuple(audit(output)))
 
     def joined(self, name):
         return np.concatenate([getattr(one, name) for one in self.receivers])
 
     def digest(self, *more):
         return super().digest(self.chosen, *more)
+
+
+class View(Subject):
+    """What a camera of a scene file sees, cd/m2, pixel by pixel; pixels that see no surface are left out.
+
+    A line of sight ends at the pixel's centre, as in Kalos's own images: what is measured is the light that arrives where it
+    does, at `points`, reflected by `response` per band, and `emitted`. Scenes with gloss or mirrors only Kalos can model.
+    """
+
+    def __init__(self, path, wanted):
+        super().__init__(path)
+        names = camera_names(self.reader)
+        if wanted not in names:
+            raise KalosError(f"--camera: {wanted!r} is not in {path}, expected one of {', '.join(names) or 'its cameras, but it has none'}")
+        self.is_image, self.quantity, self.unit, self.name = True, "luminance", "cd/m²", wanted
+        self.index = names.index(wanted)
+        filter_ = luminance_image(self.reader, self.index, None)
+        rays = camera_rays(filter_.GetPosition(), filter_.GetTarget(), filter_.GetUp(), filter_.GetFieldOfView(),
+                           filter_.GetResolution())
+        surfaces = self.reader.GetOutputDataObject(0)
+        faces, (reflectance, exitance) = triangles(surfaces), materials(surfaces)
+        distance, face = first_faces(filter_.GetPosition(), rays, faces)
+        self.seen = face >= 0
+        face, rays = face[self.seen], rays[self.seen]
+        self.points = np.asarray(filter_.GetPosition()) + distance[self.seen, None] * rays
+        self.normals = normals_towards(rays, faces, face)
+        weights = band_weights(reflectance.shape[1])
+        self.response = reflectance[face] * weights / np.pi
+        across = np.cross(faces[face, 1] - faces[face, 0], faces[face, 2] - faces[face, 0])
+        front = np.einsum("ij,ij->i", across, self.normals) > 0
+        self.emitted = np.where(front, exitance[face] @ weights, 0) / np.pi
+
+    def solve(self, options, label):
+        output = run(luminance_image(self.reader, self.index, options), label, patience=float("inf") if label is None else 0)
+        data = output.GetPointData()
+        values, error = (vtk_to_numpy(data.GetArray(name)).astype(float)[self.seen]
+                         for name in (arrays.LUMINANCE, arrays.LUMINANCE_STANDARD_ERROR))
+        return Estimate(values, error, None, trajectories(output), field_value(output, arrays.SOLVE_SECONDS),
+                        field_value(output, arrays.SOLVE_CPU_SECONDS), field_value(output, arrays.RAYS), None, tuple(audit(output)))
+
+    def digest(self, *more):
+        return super().digest(self.points.tobytes(), *more)
 
 
 class Method:
@@ -72,6 +119,7 @@ class Method:
 
     def solve(self, effort, seed):
         found = self.room.solve(replace(self.options, trajectories=effort, seed=seed), None)
+        self.last = found
         return Run(found.values, found.trajectories, found.cpu_seconds, found.rays)
 
     def close(self):
@@ -82,7 +130,7 @@ def assemble(room, methods, peers, threads, say):
     """The contenders that can take part; `say` gets a line about every one that can not."""
     makers = {name: lambda name=name: Method(room, name, threads) for name in methods or METHODS}
     if peers:
-        scene, reason = describe(room.reader, room.points, room.normals), beyond(room.reader)
+        scene, reason = describe(room.reader, room.points, room.normals, room.response, room.emitted), beyond(room.reader)
         for name in peers:
             makers[name] = lambda kind=PEERS[name]: kind(scene, threads)
     found = []

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from scipy import stats
 
 DARK = 1e-3  # of the median: what is darker (the inside of a box, the floor under it) has no relative error
 FARTHEST = 16.0  # times the longest run: beyond that nothing is extrapolated, it would be a guess
@@ -46,6 +47,26 @@ def deviation_of_mean(estimates, truth):
     """Mean of the estimates over receivers and repetitions less that of the truth, relative, and its standard error."""
     means = np.asarray(estimates)[:, truth.lit].mean(axis=1) / truth.values[truth.lit].mean() - 1
     return float(means.mean()), float(means.std(ddof=1) / np.sqrt(len(means)))
+
+
+def bias(estimates, efforts, truth):
+    """What many estimates, weighed by their effort, have in common: relative, the error of their mean over the receivers
+    with its standard error, and the error that 95 % of the receivers stay below.
+
+    Noise is taken out of the latter as if both were normal; `noise` is what it was, for one who wonders whether there is
+    anything left. The truth's own error is in it, but not in that of the mean, of which it is not known.
+    """
+    values, weights = np.asarray(estimates)[:, truth.lit], np.asarray(efforts, float) / np.sum(efforts)
+    known, freedom = truth.values[truth.lit], len(weights) - 1
+    means = values.mean(axis=1) / known.mean() - 1
+    off = weights @ means
+    # An estimate's variance falls as its effort: of unit weight, the spread; of the weighed mean, the same.
+    off_error = np.sqrt(weights @ (means - off) ** 2 / freedom)
+    pooled = weights @ values
+    square = np.mean(weights @ (values - pooled) ** 2 / freedom / known**2) + truth.noise("value") ** 2
+    p95, noise = np.percentile(np.abs(pooled / known - 1), 95), stats.norm.isf(0.025) * np.sqrt(square)
+    return {"mean": float(off), "mean_error": float(off_error), "p95": float(np.sqrt(max(p95**2 - noise**2, 0))),
+            "p95_noise": float(noise)}
 
 
 @dataclass(frozen=True)

@@ -18,11 +18,10 @@ def camera_rays(position, target, up, field_of_view, resolution):
     return direction / np.linalg.norm(direction, axis=1)[:, None]
 
 
-def first_hits(origin, directions, faces):
-    """What rays from one point meet first: points and normals towards the origin, not a number where they meet nothing."""
-    nearest = np.full(len(directions), np.inf)
-    normals = np.full((len(directions), 3), np.nan)
-    for corners in faces:
+def first_faces(origin, directions, faces):
+    """What rays from one point meet first: the distance, infinite where they meet nothing, and which of the faces, else -1."""
+    nearest, index = np.full(len(directions), np.inf), np.full(len(directions), -1)
+    for k, corners in enumerate(faces):
         u, v = corners[1] - corners[0], corners[2] - corners[0]
         normal = np.cross(u, v)
         # Moeller and Trumbore's test, with the origin in common.
@@ -34,8 +33,23 @@ def first_hits(origin, directions, faces):
             b = -(directions @ np.cross(u, to)) / determinant
             hit = (distance > 0) & (distance < nearest) & (a >= -SEAM) & (b >= -SEAM) & (a + b <= 1 + SEAM)
         nearest[hit] = distance[hit]
-        facing = np.sign(determinant[hit])[:, None] / np.linalg.norm(normal)
-        normals[hit] = facing * normal
-    met = np.isfinite(nearest)
-    points = np.asarray(origin, float) + np.where(met, nearest, np.nan)[:, None] * directions
-    return points, normals
+        index[hit] = k
+    return nearest, index
+
+
+def normals_towards(directions, faces, index):
+    """Unit normals of the faces that rays have met, on the side that they come from; not a number where they met none."""
+    normals = np.full((len(directions), 3), np.nan)
+    met = index >= 0
+    corners = faces[index[met]]
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    side = -np.sign(np.einsum("ij,ij->i", directions[met], across))
+    normals[met] = (side / np.linalg.norm(across, axis=1))[:, None] * across
+    return normals
+
+
+def first_hits(origin, directions, faces):
+    """Points that rays from one point meet first, and normals towards it; not a number where they meet nothing."""
+    nearest, index = first_faces(origin, directions, faces)
+    points = np.asarray(origin, float) + np.where(index >= 0, nearest, np.nan)[:, None] * directions
+    return points, normals_towards(directions, faces, index)

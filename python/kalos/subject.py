@@ -24,6 +24,8 @@ class Estimate:
     seconds: float
     cpu_seconds: float
     rays: float = None
+    direct: np.ndarray = None  # lx, straight from the emitters, where the filter tells
+    audit: tuple = ()  # what was modelled and why
 
 
 class Subject:

@@ -9,7 +9,12 @@ import pytest
 from conftest import one_line
 from matplotlib.image import imread
 
-from kalos.validate import DATA
+from kalos.contenders import View
+from kalos.errors import update
+from kalos.estimator import Options
+from kalos.receivers import from_dataset, point_receivers
+from kalos.solve import illuminance
+from kalos.validate import DATA, allowed_deviation
 
 SHORT = ("--peers", "none", "--budget", 0.3, "--reference-trajectories", 6400)
 
@@ -55,7 +60,42 @@ def test_closed_form_is_the_reference_where_there_is_one(chart, scene_file):
     assert all(abs(row["mean_off"]) < max(6 * row["mean_off_error"], 0.02) for row in result["steps"])
 
 
+def test_gathered_states_its_bias(chart):
+    folder, status, out, error = chart("--receivers", "desk", "--methods", "gathered,compensated")
+    assert status == 0, error
+    gathered, compensated = json.loads((folder / "chart.json").read_text())["contenders"]
+    own = gathered["bias"]
+    assert abs(own["stated"]) < 6 * own["stated_error"] + 0.02 and own["stated_error"] < 0.05
+    assert abs(own["mean"]) < 6 * own["mean_error"] + 0.02
+    assert "stated" not in compensated["bias"]
+    assert "Kalos, gathered: bias " in out and "by its own account; 95 % of the values are within " in out
+
+
+def test_an_image(chart, scene):
+    """Pixel for pixel the same light: what a camera sees of a floor is rho E / pi of the points that it sees there."""
+    folder, status, out, error = chart("--camera", "front", "--methods", "gathered,compensated")
+    assert status == 0, error
+    result = json.loads((folder / "chart.json").read_text())
+    assert result["receivers"] == "front" and result["quantity"] == "luminance"
+    view = View(scene.save(), "front")
+    assert result["lit"] + result["dark"] == len(view.points) == view.seen.sum() < 16 * 12
+    for one in result["contenders"]:
+        steps = [row["rms_of_value"] for row in result["steps"] if row["contender"] == one["name"]]
+        assert steps[-1] < steps[0]
+    # The same by hand, through the points and the response that peers get.
+    seen = view.solve(Options(trajectories=32000), None)
+    estimator = illuminance(view.reader, Options(trajectories=32000, seed=2))
+    estimator.SetInputDataObject(0, point_receivers(view.points, view.normals))
+    update(estimator)
+    found = from_dataset("points", estimator.GetOutputDataObject(0))
+    luminance, error = (view.response.sum(axis=1) * values for values in (found.illuminance, found.standard_error))
+    assert (abs(seen.values - luminance) < allowed_deviation(len(luminance)) * np.hypot(seen.standard_error, error) + 1e-6).all()
+    assert np.median(error / luminance) < 0.01
+
+
 @pytest.mark.parametrize("arguments, message", [
+    (("--camera", "moon"), "--camera: 'moon' is not in "),
+    (("--camera", "front", "--receivers", "desk"), "--camera: there are --receivers already, expected one of the two"),
     (("--receivers", "moon"), "--receivers: 'moon' is not in "),
     (("--methods", "magic"), "--methods: 'magic' is not allowed, expected one of "),
     (("--peers", "povray"), "--peers: 'povray' is not allowed, expected none, or some of mitsuba, radiance, radiance-cached; "),

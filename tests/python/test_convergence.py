@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kalos.convergence import Truth, deviation_of_mean, errors, time_to
+from kalos.convergence import Truth, bias, deviation_of_mean, errors, time_to
 
 TRUTH = Truth(np.array([100.0, 50.0, 0.0, 200.0]), np.zeros(4), "made up")
 
@@ -39,6 +39,23 @@ def test_noise_of_the_truth_is_taken_out():
 def test_deviation_of_the_mean():
     off, error = deviation_of_mean([[102, 51, 0, 204], [104, 52, 0, 208]], TRUTH)
     assert off == pytest.approx(0.03) and error == pytest.approx(0.01)
+
+
+def test_bias_is_what_runs_have_in_common():
+    """Normal biases of 2 % at 4000 receivers and 1 % on all, under noise of 10 % over the root of the effort.
+
+    95 % of normal biases of 2 % beside 1 % lie within 3.88 %; over 40 seeds that came out within 0.07 of it.
+    """
+    rng = np.random.default_rng(2)
+    truth = Truth(np.exp(rng.normal(size=4000)), np.zeros(4000), "made up")
+    own, efforts = 1.01 + 0.02 * rng.normal(size=4000), [4, 4, 16, 16, 64, 64]
+    runs = [truth.values * (own + 0.1 / np.sqrt(effort) * rng.normal(size=4000)) for effort in efforts]
+    found = bias(runs, efforts, truth)
+    assert found["mean"] == pytest.approx(np.average(own, weights=truth.values) - 1, abs=5 * found["mean_error"])
+    assert 0 < found["mean_error"] < 1e-3
+    assert found["p95"] == pytest.approx(0.0388, rel=0.1) and found["p95_noise"] == pytest.approx(1.96 * 0.1 / np.sqrt(168), rel=0.2)
+    unbiased = bias([truth.values * (1 + 0.1 * rng.normal(size=4000)) for _ in range(4)], [1] * 4, truth)
+    assert unbiased["p95"] < 0.4 * unbiased["p95_noise"] and abs(unbiased["mean"]) < 6 * unbiased["mean_error"]
 
 
 def test_time_on_the_square_root_law():

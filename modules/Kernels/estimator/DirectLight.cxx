@@ -5,12 +5,16 @@
 
 namespace kalos
 {
-DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows) : Lit(scene), Shadows(shadows)
+DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows)
+    : Lit(scene), Shadows(shadows), AreaOf(scene.data().luminaires.size(), noArea), Choice(scene)
 {
-  for (const Luminaire& l : scene.data().luminaires)
+  for (std::size_t i = 0; i < scene.data().luminaires.size(); ++i)
   {
+    const Luminaire& l = scene.data().luminaires[i];
     if (l.isPoint())
       continue;
+    this->AreaOf[i] = this->Areas.size();
+    this->LuminaireOf.push_back(i);
     const Vec3 u = 0.5 * l.sideU, v = 0.5 * l.sideV, c = l.position;
     const double area = length(cross(l.sideU, l.sideV));
     this->Areas.push_back({{c - u - v, c + u - v, c + u + v, c - u + v},
@@ -43,16 +47,19 @@ double DirectLight::pointIlluminance(const Luminaire& luminaire, const Sensor& s
   return intensity(luminaire, (-1 / d) * toLamp) * cosine / (d2 * d);
 }
 
-double DirectLight::areaIlluminance(const Area& area, const Sensor& sensor) const
+bool DirectLight::shinesAt(const Area& area, const Sensor& sensor) const
 {
   if (area.opening && !isNear(*area.opening, sensor.position))
-    return 0;
+    return false;
   // A sensor in the emitter's plane, to rounding, sees nothing of it.
   const double height = dot(sensor.position - area.corner[0], area.normal);
   const bool bothSides = area.opening && !area.opening->isOneSided();
-  if (!((bothSides ? std::abs(height) : height) > 1e-9 * this->Lit.size()))
-    return 0;
-  return polygonFormFactor(sensor.position, sensor.normal, area.corner, area.count);
+  return (bothSides ? std::abs(height) : height) > 1e-9 * this->Lit.size();
+}
+
+double DirectLight::formFactor(const Area& area, const Sensor& sensor) const
+{
+  return this->shinesAt(area, sensor) ? polygonFormFactor(sensor.position, sensor.normal, area.corner, area.count) : 0;
 }
 
 void DirectLight::look(const Sensor& sensor, View& view) const
@@ -70,7 +77,7 @@ void DirectLight::look(const Sensor& sensor, View& view) const
   double sum = 0;
   for (const Area& area : this->Areas)
   {
-    const double factor = this->areaIlluminance(area, sensor);
+    const double factor = this->formFactor(area, sensor);
     for (int b = 0; b < this->Lit.bands() && !area.opening; ++b)
       view.areas[b] += factor * area.exitance[b];
     sum += factor * photometric(area.exitance, this->Lit.bands());
@@ -169,37 +176,63 @@ double DirectLight::sampleAreas(const Sensor& sensor, const View& view, SampleSt
   return visible - (area.opening ? 0 : view.visibleShare);
 }
 
-Bands DirectLight::sample(const Sensor& sensor, SampleStream& random, View& scratch) const
+void DirectLight::weigh(const Sensor& sensor, LuminaireWeights& weights) const
+{
+  const auto& luminaires = this->Lit.data().luminaires;
+  if (luminaires.size() == 1)
+  {
+    weights.weight.assign(LuminaireWeights::lanes, 0);
+    weights.weight[0] = 1;
+  }
+  else if (this->Choice.weigh(sensor, weights))
+    for (std::size_t i = 0; i < luminaires.size(); ++i)
+    {
+      if (!(weights.weight[i] < 0))
+        continue;
+      const Area& area = this->Areas[this->AreaOf[i]];
+      const double e =
+          this->formFactor(area, sensor) * area.exitance[0] + this->pointIlluminance(luminaires[i], sensor);
+      weights.weight[i] = static_cast<float>(e);
+    }
+  weights.sum();
+}
+
+Bands DirectLight::sample(const Sensor& sensor, SampleStream& random) const
 {
   const double u0 = random.next(), u1 = random.next(), u2 = random.next(), u3 = random.next();
   const auto& luminaires = this->Lit.data().luminaires;
-  std::vector<double>& cumulative = scratch.cumulative;
-  cumulative.clear();
-  double sum = 0;
-  for (const Luminaire& luminaire : luminaires)
-    cumulative.push_back(sum += this->pointIlluminance(luminaire, sensor));
-  for (const Area& area : this->Areas)
-    cumulative.push_back(sum += this->areaIlluminance(area, sensor) * photometric(area.exitance, this->Lit.bands()));
   Bands result{};
-  if (!(sum > 0))
+  if (luminaires.empty())
     return result;
-  if (sensor.brdf)
-    this->sampleLobe(sensor, random, cumulative, result);
+  std::size_t k = 0;
+  double share = 1;
+  if (luminaires.size() > 1 || sensor.brdf)
+  {
+    thread_local LuminaireWeights weights;
+    this->weigh(sensor, weights);
+    if (!(weights.total() > 0))
+      return result;
+    if (sensor.brdf)
+      this->sampleLobe(sensor, random, weights, result);
+    k = weights.draw(u0);
+    share = weights.share(k);
+  }
 
-  double share;
-  const std::size_t k = draw(cumulative, u0, share);
   AreaSample sample;
   Bands arriving{};  // lx per band
-  if (k < luminaires.size())
+  if (this->AreaOf[k] == noArea || (luminaires[k].isOpening() && !isNear(luminaires[k], sensor.position)))
   {
+    const double e = this->pointIlluminance(luminaires[k], sensor);
+    if (!(e > 0))
+      return result;
     sample.target = this->Lit.shadowTarget(luminaires[k]);
     sample.direction = normalized(luminaires[k].position - sensor.position);
-    arriving = uniformBands(sum);  // its own illuminance over its share
+    arriving = uniformBands(e / share);
   }
   else
   {
-    const Area& area = this->Areas[k - luminaires.size()];
-    if (!this->sampleArea(area, sensor, u1, u2, u3, sample))
+    const Area& area = this->Areas[this->AreaOf[k]];
+    if (!this->shinesAt(area, sensor) || !this->sampleArea(area, sensor, u1, u2, u3, sample))
       return result;
     // The lobe's sample shares with this one: balance heuristic.
     const double density = share / sample.solidAngle + (sensor.brdf ? gatherDensity(sensor, sample.direction) : 0);
@@ -215,7 +248,7 @@ Bands DirectLight::sample(const Sensor& sensor, SampleStream& random, View& scra
   return result;
 }
 
-void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const std::vector<double>& cumulative,
+void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const LuminaireWeights& weights,
                              Bands& sum) const
 {
   const double u0 = random.next(), u1 = random.next(), u2 = random.next();
@@ -223,14 +256,12 @@ void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const s
   if (!ray.alive || ray.mirror)
     return;
   const Bands weight = response(sensor, ray.direction, this->Lit.bands());
-  const std::size_t points = cumulative.size() - this->Areas.size();
-  for (std::size_t i = 0; i < this->Areas.size(); ++i)
+  for (std::size_t i = 0; i < this->LuminaireOf.size(); ++i)
   {
     const Area& area = this->Areas[i];
-    const double before = points + i ? cumulative[points + i - 1] : 0;
-    const double share = (cumulative[points + i] - before) / cumulative.back();
+    const double share = weights.share(this->LuminaireOf[i]);
     double distance;
-    if (!(share > 0) || !meets(area, sensor.position, ray.direction, distance))
+    if (!(share > 0) || !this->shinesAt(area, sensor) || !meets(area, sensor.position, ray.direction, distance))
       continue;
     const Vec3 side = dot(ray.direction, area.normal) < 0 ? area.normal : -area.normal;
     if (this->Shadows &&

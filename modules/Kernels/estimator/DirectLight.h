@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "estimator/Sensor.h"
+#include "estimator/LuminaireChoice.h"
 #include "sampling/SampleStream.h"
 
 namespace kalos
@@ -40,10 +40,11 @@ public:
   double sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const;
 
   /// One sample of all direct light at the sensor, weighted by its response, with a single shadow ray: an emitter is
-  /// drawn in proportion to what it would send to a Lambertian sensor, were nothing in between. At a glossy sensor a
-  /// direction drawn from its lobe shares with the areas (balance heuristic), for lobes that are narrower than a lamp.
-  /// Unbiased; for the vertices that gather rays find and for glossy sensors. `scratch` is overwritten.
-  Bands sample(const Sensor& sensor, SampleStream& random, View& scratch) const;
+  /// drawn about in proportion to what it would send to a Lambertian sensor, were nothing in between (LuminaireChoice).
+  /// At a glossy sensor a direction drawn from its lobe shares with the areas (balance heuristic), for lobes that are
+  /// narrower than a lamp. Unbiased; for the vertices that gather rays find and for glossy sensors. Of luminaires only,
+  /// without meshes.
+  Bands sample(const Sensor& sensor, SampleStream& random) const;
 
   /// Adds throughput times the exitance of every luminous rectangle that a ray from a mirror passes through before it
   /// ends at y.
@@ -64,7 +65,9 @@ private:
   };
 
   double pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const;  // unshadowed, lx; 0 for areas
-  double areaIlluminance(const Area& area, const Sensor& sensor) const;             // unshadowed form factor
+  bool shinesAt(const Area& area, const Sensor& sensor) const;        // as an area, from the side that is lit
+  double formFactor(const Area& area, const Sensor& sensor) const;    // unshadowed, 0 where it does not shine
+  void weigh(const Sensor& sensor, LuminaireWeights& weights) const;  // of luminaires, by which sample() draws
 
   /// A point of an area emitter, seen from the sensor in a direction uniform in solid angle; false when none is.
   struct AreaSample
@@ -76,13 +79,17 @@ private:
   Bands exitanceTowards(const Area& area, const Vec3& fromSensor) const;  // pi times the luminance, lm/m2
   static double solidAngle(const Area& area, const Vec3& from);           // sr
   static bool meets(const Area& area, const Vec3& origin, const Vec3& direction, double& distance);  // on a lit side
-  void sampleLobe(const Sensor& sensor, SampleStream& random, const std::vector<double>& cumulative, Bands& sum) const;
+  void sampleLobe(const Sensor& sensor, SampleStream& random, const LuminaireWeights& weights, Bands& sum) const;
   bool sampleArea(const Area& area, const Sensor& sensor, double u1, double u2, double u3, AreaSample& sample) const;
+
+  static constexpr std::size_t noArea = ~std::size_t{0};
 
   const Scene& Lit;
   bool Shadows;
   bool HasOpenings = false;
   std::vector<Area> Areas;
+  std::vector<std::size_t> LuminaireOf, AreaOf;  // of an area that is none of a mesh; of a luminaire, or noArea
+  LuminaireChoice Choice;
 };
 }  // namespace kalos
 

@@ -107,11 +107,10 @@ void DirectPart::score(std::size_t r, int replicate, long long first, int count,
   Bands sum{};
   if (sensor.brdf)
   {
-    thread_local DirectLight::View scratch;
     for (int s = 0; s < samples; ++s)
     {
       SampleStream random = walks.stream(replicate, Purpose::DirectLight, first + s);
-      const Bands e = this->Luminaires.sample(sensor, random, scratch);
+      const Bands e = this->Luminaires.sample(sensor, random);
       for (int b = 0; b < tally.bands(); ++b)
         sum[b] += e[b];
     }

@@ -72,8 +72,7 @@ Bands Gathering::follow(const Sensor& sensor, const Vec3& direction, const Surfa
 
 Bands Gathering::luminaireLight(const Sensor& sensor, SampleStream& random) const
 {
-  thread_local DirectLight::View scratch;
-  Bands light = this->Luminaires.sample(sensor, random, scratch);
+  Bands light = this->Luminaires.sample(sensor, random);
   if (!this->Mirrored.any())
     return light;
   const Bands images = this->Mirrored.illuminance(sensor);
@@ -158,8 +157,7 @@ bool Gathering::advance(Chain& chain, const Ray& ray, const SurfacePoint& y, con
   };
   if (!first && !survives())
     return false;
-  thread_local DirectLight::View scratch;
-  const Bands direct = this->Luminaires.sample(next, random, scratch);
+  const Bands direct = this->Luminaires.sample(next, random);
   for (int b = 0; b < bands; ++b)
     sum[b] += throughput[b] * direct[b];
   this->addVertexLight(next, pool, rayBlock, random, throughput, sum);

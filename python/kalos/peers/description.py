@@ -10,18 +10,31 @@ BAND_WEIGHTS = {1: np.ones(1), 3: np.array([0.2126, 0.7152, 0.0722])}  # photome
 ISOTROPIC, LAMBERTIAN = 0, 1
 
 
-def describe(reader, points, normals):
+def materials(surfaces):
+    """Reflectance and exitance (n, bands) of the triangles of kalos.clearance.triangles()."""
+    counts = [surfaces.GetCell(i).GetNumberOfPoints() - 2 for i in range(surfaces.GetNumberOfCells())]
+    found = [cell_bands(surfaces, name) for name in (arrays.REFLECTANCE, arrays.EXITANCE)]
+    bands = max(values.shape[1] for values in found)
+    return [np.repeat(np.broadcast_to(values, (len(values), bands)), counts, axis=0) for values in found]
+
+
+def band_weights(bands):
+    """Photometric share of each band."""
+    return BAND_WEIGHTS.get(bands, np.full(bands, 1 / bands))
+
+
+def describe(reader, points, normals, response=None, emitted=0.0):
     """Arrays of the scene that a vtkKalosSceneReader has read, about its centre, in metres, lumens and lm/m2.
 
     triangles (n, 3, 3), reflectance and exitance (n, bands), lamp_flux, lamp_position, lamp_axis, lamp_u, lamp_v (full
-    sides, zero for a point), lamp_isotropic, points and normals of the receivers, band_weights.
+    sides, zero for a point), lamp_isotropic, points and normals of the receivers. What is wanted of a receiver is the sum
+    over the bands of response (n, bands) times illuminance, and emitted (n,): the photometric illuminance, where no response
+    is given.
     """
     surfaces, lamps = reader.GetOutputDataObject(0), reader.GetOutputDataObject(1)
     faces = triangles(surfaces)
-    counts = [surfaces.GetCell(i).GetNumberOfPoints() - 2 for i in range(surfaces.GetNumberOfCells())]
-    reflectance = cell_bands(surfaces, arrays.REFLECTANCE)
-    exitance = cell_bands(surfaces, arrays.EXITANCE)
-    bands = max(reflectance.shape[1], exitance.shape[1])
+    reflectance, exitance = materials(surfaces)
+    weights = band_weights(reflectance.shape[1])
     centre = (faces.reshape(-1, 3).min(axis=0) + faces.reshape(-1, 3).max(axis=0)) / 2
 
     def of_lamps(name, width):
@@ -29,13 +42,14 @@ def describe(reader, points, normals):
 
     position = np.array([lamps.GetPoint(i) for i in range(lamps.GetNumberOfPoints())], float).reshape(-1, 3)
     return {"triangles": faces - centre,
-            "reflectance": np.repeat(np.broadcast_to(reflectance, (len(reflectance), bands)), counts, axis=0),
-            "exitance": np.repeat(np.broadcast_to(exitance, (len(exitance), bands)), counts, axis=0),
+            "reflectance": reflectance, "exitance": exitance,
             "lamp_flux": of_lamps(arrays.LUMINOUS_FLUX, 1)[:, 0], "lamp_position": position - centre,
             "lamp_axis": of_lamps(arrays.DIRECTION, 3),
             "lamp_u": of_lamps(arrays.SIDE_U, 3), "lamp_v": of_lamps(arrays.SIDE_V, 3),
             "lamp_isotropic": of_lamps(arrays.DISTRIBUTION, 1)[:, 0] == ISOTROPIC,
-            "points": points - centre, "normals": normals, "band_weights": BAND_WEIGHTS.get(bands, np.full(bands, 1 / bands))}
+            "points": points - centre, "normals": normals,
+            "response": np.broadcast_to(weights, (len(points), len(weights))) if response is None else response,
+            "emitted": np.broadcast_to(emitted, len(points))}
 
 
 def cell_bands(surfaces, name):

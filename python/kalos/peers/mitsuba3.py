@@ -34,7 +34,7 @@ class Mitsuba:
         probe = subprocess.run([interpreter(), "-c", "import mitsuba"], env=clean_environment(), capture_output=True, check=False)
         if probe.returncode:
             raise Absent(f"{interpreter()} has no mitsuba, expected a KALOS_PEERS_PYTHON that has")
-        self.weights = scene["band_weights"]
+        self.response, self.emitted = scene["response"], scene["emitted"]
         self.folder = tempfile.TemporaryDirectory(prefix="kalos-mitsuba-")
         path = Path(self.folder.name)
         np.savez(path / "scene.npz", **scene)
@@ -60,7 +60,8 @@ class Mitsuba:
         self.worker.stdin.flush()
         said = self.answer()
         self.setup_cpu_seconds = said["setup_cpu_seconds"]
-        return Run(np.load(self.out) @ self.weights, said["effort"], said["cpu_seconds"], said["rays"])
+        values = (np.load(self.out) * self.response).sum(axis=1) + self.emitted
+        return Run(values, said["effort"], said["cpu_seconds"], said["rays"])
 
     def close(self):
         if self.worker.poll() is None:

@@ -86,7 +86,9 @@ class Radiance:
         if ((scene["reflectance"] > 0).any(axis=1) & (scene["exitance"] > 0).any(axis=1)).any():
             raise Absent("Radiance has no surfaces that both reflect and emit, expected a scene without them")
         programs, library = locate()
-        self.weights = np.resize(scene["band_weights"], 3) / np.resize(scene["band_weights"], 3).sum()
+        response = scene["response"]
+        self.response = response if response.shape[1] == 3 else np.repeat(response / 3, 3, axis=1)
+        self.emitted = scene["emitted"]
         self.folder = tempfile.TemporaryDirectory(prefix="kalos-radiance-")
         self.path = Path(self.folder.name)
         self.environment = clean_environment(RAYPATH=str(library))
@@ -119,7 +121,7 @@ class Radiance:
         self.second = int(time.time())
         settings = [*self.SETTINGS, "-ad", str(effort), "-lw", f"{self.weight(effort):.3g}"]
         seconds = self.measure([*self.rtrace, *settings, "scene.oct"], self.path / "points", "values")
-        values = np.fromfile(self.path / "values").reshape(-1, 3) @ self.weights
+        values = (np.fromfile(self.path / "values").reshape(-1, 3) * self.response).sum(axis=1) + self.emitted
         return Run(values, effort, max(seconds - self.start, 1e-3))
 
     @staticmethod

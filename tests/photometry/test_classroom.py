@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""data/models/classroom.glb, a model without a scene file: its lux in closed form, and against the same room in Kalos's own words."""
+import importlib.util
+import json
+
+import numpy as np
+import pytest
+from files import write_ies
+from kalos.estimator import Options
+from kalos.solve import solve
+from kalos.validate import DATA, allowed_deviation
+
+OPTIONS = Options(trajectories=16000, seed=3)
+SPECIFICATION = importlib.util.spec_from_file_location("classroom", DATA / "models" / "make.py")
+made = importlib.util.module_from_spec(SPECIFICATION)
+SPECIFICATION.loader.exec_module(made)
+
+
+def cone(angle):
+    """Intensity of the spot, cd, at radians from its axis: glTF's own formula."""
+    low, high = np.cos(made.SPOT["outer"]), np.cos(made.SPOT["inner"])
+    return made.SPOT["candela"] * np.clip((np.cos(angle) - low) / (high - low), 0, 1) ** 2
+
+
+def in_own_words(folder):
+    """The room as a scene file: quads, boxes and luminaires, one by one."""
+    angles = np.linspace(0, 40, 321)
+    write_ies(folder / "spot.ies", lambda plane, angle: cone(np.radians(angle)), angles=angles)
+    x, y, z = made.ROOM
+    quads = {"floor": ([0, 0, 0], [x, 0, 0], [0, y, 0], "floor"), "ceiling": ([0, 0, z], [0, y, 0], [x, 0, 0], "ceiling"),
+             "left": ([0, 0, 0], [0, y, 0], [0, 0, z], "wall"), "right": ([x, 0, 0], [0, 0, z], [0, y, 0], "wall"),
+             "front": ([0, 0, 0], [0, 0, z], [x, 0, 0], "wall"), "back": ([0, y, 0], [x, 0, 0], [0, 0, z], "wall")}
+    boxes = [("board", made.BOARD, (0, 0, 0), 0)]
+    boxes += [("wood", part, at, 0) for at in made.DESKS for part in made.DESK]
+    boxes += [("seat", part, at, turn) for *at, turn in made.STOOLS for part in made.STOOL]
+    surfaces = [{"name": name, "quad": {"origin": o, "u": u, "v": v}, "material": m} for name, (o, u, v, m) in quads.items()]
+    surfaces += [{"name": f"box {k}", "material": material,
+                  "box": {"center": (np.array(center) + at).tolist(), "size": list(size), "rotation_z_deg": float(turn)}}
+                 for k, (material, (center, size), at, turn) in enumerate(boxes)]
+    lamps = [{"name": f"pendant {k}", "position": at, "aim": [0, 0, -1], "flux": 4 * np.pi * made.CANDELA, "distribution": "isotropic"}
+             for k, at in enumerate(made.PENDANTS)]
+    aim = np.subtract(made.SPOT["target"], made.SPOT["position"])
+    lamps.append({"name": "spot", "position": made.SPOT["position"], "aim": aim.tolist(), "file": "spot.ies"})
+    plane = {"origin": [0, 0, 0.75], "u": [x, 0, 0], "v": [0, y, 0], "spacing": "EN 12464-1"}
+    scene = {"kalos": 1, "materials": {name: {"reflectance": value} for name, value in made.REFLECTANCE.items()},
+             "surfaces": surfaces, "luminaires": lamps, "receivers": [{"name": "workplane", "plane": plane}]}
+    path = folder / "classroom.json"
+    path.write_text(json.dumps(scene))
+    return path
+
+
+@pytest.fixture(scope="module")
+def solved(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("classroom")
+    summary = solve(DATA / "models" / "classroom.glb", folder / "glb", OPTIONS)
+    solve(in_own_words(folder), folder / "json", OPTIONS)
+    tables = [np.genfromtxt(folder / name / "workplane.csv", delimiter=",", names=True) for name in ("glb", "json")]
+    return summary, *tables, folder
+
+
+def test_the_script_makes_the_file():
+    assert made.classroom().binary() == (DATA / "models" / "classroom.glb").read_bytes()
+
+
+def test_direct_light_in_closed_form(solved):
+    _, table, _, _ = solved
+    points = np.stack([table[name] for name in "xyz"], axis=1)
+    assert len(points) > 50 and (points[:, 2] == 0.75).all()
+    expected = np.zeros(len(points))
+    axis = np.subtract(made.SPOT["target"], made.SPOT["position"])
+    for at in (*made.PENDANTS, made.SPOT["position"]):
+        to = points - at
+        d = np.linalg.norm(to, axis=1)
+        off = np.arccos(to @ axis / (d * np.linalg.norm(axis)))
+        candela = cone(off) if at is made.SPOT["position"] else made.CANDELA
+        expected += candela * -to[:, 2] / d**3
+    np.testing.assert_allclose(table["direct_lx"], expected, rtol=1e-3)  # chords of the cone's table
+
+
+def test_all_light_is_that_of_the_same_room_in_own_words(solved):
+    """All values at once at a false alarm of 1e-4 (Student's t, Sidak), at standard errors of a few per cent."""
+    _, table, own, _ = solved
+    np.testing.assert_allclose([table[name] for name in "xyz"], [own[name] for name in "xyz"], atol=1e-9)
+    error = np.hypot(table["standard_error_lx"], own["standard_error_lx"])
+    off = np.abs(table["illuminance_lx"] - own["illuminance_lx"])
+    assert (off <= allowed_deviation(len(table)) * error + 1e-3 * own["direct_lx"]).all()
+    assert np.mean(error / own["illuminance_lx"]) < 0.02
+    assert (table["illuminance_lx"] > 1.1 * table["direct_lx"]).all()
+
+
+def test_what_is_written_and_said(solved):
+    summary, _, _, folder = solved
+    assert (folder / "glb" / "corner.exr").exists() and (folder / "glb" / "corner.png").exists()
+    said = {line["subject"]: line["choice"] for line in summary["audit"]}
+    assert said["axes"] == "turned from y up to z up" and "spot lights" in said
+    assert said["point luminaires"] == "7, exact"
