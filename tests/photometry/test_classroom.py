@@ -6,11 +6,13 @@ import json
 import numpy as np
 import pytest
 from files import write_ies
+from kalos.errors import update
 from kalos.estimator import Options
-from kalos.solve import solve
+from kalos.receivers import from_dataset
+from kalos.solve import illuminance, read_scene, solve
 from kalos.validate import DATA, allowed_deviation
 
-OPTIONS = Options(trajectories=16000, seed=3)
+MODEL = DATA / "models" / "classroom.glb"
 SPECIFICATION = importlib.util.spec_from_file_location("classroom", DATA / "models" / "make.py")
 made = importlib.util.module_from_spec(SPECIFICATION)
 SPECIFICATION.loader.exec_module(made)
@@ -49,48 +51,49 @@ def in_own_words(folder):
     return path
 
 
+def work_plane(path, seed):
+    estimator = illuminance(read_scene(path), Options(trajectories=16000, seed=seed))
+    update(estimator)
+    return from_dataset("workplane", estimator.GetOutputDataObject(0).GetBlock(0))
+
+
 @pytest.fixture(scope="module")
-def solved(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("classroom")
-    summary = solve(DATA / "models" / "classroom.glb", folder / "glb", OPTIONS)
-    solve(in_own_words(folder), folder / "json", OPTIONS)
-    tables = [np.genfromtxt(folder / name / "workplane.csv", delimiter=",", names=True) for name in ("glb", "json")]
-    return summary, *tables, folder
+def model():
+    return work_plane(MODEL, 3)
 
 
 def test_the_script_makes_the_file():
-    assert made.classroom().binary() == (DATA / "models" / "classroom.glb").read_bytes()
+    assert made.classroom().binary() == MODEL.read_bytes()
 
 
-def test_direct_light_in_closed_form(solved):
-    _, table, _, _ = solved
-    points = np.stack([table[name] for name in "xyz"], axis=1)
-    assert len(points) > 50 and (points[:, 2] == 0.75).all()
-    expected = np.zeros(len(points))
+def test_direct_light_in_closed_form(model):
+    assert len(model.points) > 50 and (model.points[:, 2] == 0.75).all()
+    expected = np.zeros(len(model.points))
     axis = np.subtract(made.SPOT["target"], made.SPOT["position"])
     for at in (*made.PENDANTS, made.SPOT["position"]):
-        to = points - at
+        to = model.points - at
         d = np.linalg.norm(to, axis=1)
         off = np.arccos(to @ axis / (d * np.linalg.norm(axis)))
         candela = cone(off) if at is made.SPOT["position"] else made.CANDELA
         expected += candela * -to[:, 2] / d**3
-    np.testing.assert_allclose(table["direct_lx"], expected, rtol=1e-3)  # chords of the cone's table
+    np.testing.assert_allclose(model.direct, expected, rtol=1e-3)  # chords of the cone's table
 
 
-def test_all_light_is_that_of_the_same_room_in_own_words(solved):
+def test_all_light_is_that_of_the_same_room_in_own_words(model, tmp_path):
     """All values at once at a false alarm of 1e-4 (Student's t, Sidak), at standard errors of a few per cent."""
-    _, table, own, _ = solved
-    np.testing.assert_allclose([table[name] for name in "xyz"], [own[name] for name in "xyz"], atol=1e-9)
-    error = np.hypot(table["standard_error_lx"], own["standard_error_lx"])
-    off = np.abs(table["illuminance_lx"] - own["illuminance_lx"])
-    assert (off <= allowed_deviation(len(table)) * error + 1e-3 * own["direct_lx"]).all()
-    assert np.mean(error / own["illuminance_lx"]) < 0.02
-    assert (table["illuminance_lx"] > 1.1 * table["direct_lx"]).all()
+    own = work_plane(in_own_words(tmp_path), 4)
+    np.testing.assert_allclose(model.points, own.points, atol=1e-9)
+    error = np.hypot(model.standard_error, own.standard_error)
+    off = np.abs(model.illuminance - own.illuminance)
+    assert (off <= allowed_deviation(len(off)) * error + 1e-3 * own.direct).all()
+    assert np.mean(error / own.illuminance) < 0.02
+    assert (model.illuminance > 1.1 * model.direct).all()
 
 
-def test_what_is_written_and_said(solved):
-    summary, _, _, folder = solved
-    assert (folder / "glb" / "corner.exr").exists() and (folder / "glb" / "corner.png").exists()
+def test_what_is_written_and_said(tmp_path):
+    """The whole command, camera and all, at the least effort."""
+    summary = solve(MODEL, tmp_path, Options(trajectories=32))
+    assert {path.name for path in tmp_path.iterdir()} >= {"corner.exr", "corner.png", "workplane.csv", "workplane.png"}
     said = {line["subject"]: line["choice"] for line in summary["audit"]}
     assert said["axes"] == "turned from y up to z up" and "spot lights" in said
     assert said["point luminaires"] == "7, exact"

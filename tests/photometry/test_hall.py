@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Many luminaires: a hall under 100 of them costs less than three times what it costs under one, at equal error."""
+"""Many luminaires: halls under 100 and under 1024 of them cost little more than a hall under one, at equal error."""
 import json
 
 import numpy as np
@@ -42,11 +42,17 @@ def cost(folder, across):
     return seconds * np.mean(desk.standard_error**2) / desk.illuminance.mean() ** 2
 
 
-@pytest.mark.xfail(reason="3.7 times: where gather rays end every luminaire's table is looked up, and all else got cheaper")
-def test_hundred_luminaires_cost_less_than_three_times_one(tmp_path):
+@pytest.mark.parametrize("across, bound", [(10, 3), (32, 10)])
+def test_many_luminaires_cost_little_more_than_one(across, bound, tmp_path):
+    """1.6 and 4.3 times at the time of writing, within 5 % of that in every run: the bounds leave what a busy machine adds.
+
+    A false alarm would take twice the processor seconds in each of three runs, but not in the runs of one luminaire between.
+    """
     def intensity(plane, gamma):
         return 1100 * np.cos(np.radians(gamma)) * (1 + 0.3 * np.sin(np.radians(gamma)) ** 2 * np.cos(2 * np.radians(plane)))
 
     write_ies(tmp_path / "a.ies", lambda p, g: intensity(p, g) if g < 90 else 0, range(0, 91, 15), np.arange(0, 91, 2.5), (0.6, 0.6, 0))
-    ratios = [cost(tmp_path, 10) / cost(tmp_path, 1) for _ in range(3)]  # the clock's noise: the quietest of three
-    assert min(ratios) < 3, ratios
+    ratios = []
+    while not ratios or (ratios[-1] >= bound and len(ratios) < 3):
+        ratios.append(cost(tmp_path, across) / cost(tmp_path, 1))
+    assert min(ratios) < bound, ratios

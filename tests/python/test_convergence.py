@@ -44,7 +44,7 @@ def test_deviation_of_the_mean():
 def test_bias_is_what_runs_have_in_common():
     """Normal biases of 2 % at 4000 receivers and 1 % on all, under noise of 10 % over the root of the effort.
 
-    95 % of normal biases of 2 % beside 1 % lie within 3.88 %; over 40 seeds that came out within 0.07 of it.
+    95 % of the former beside the latter lie within 4.36 %; over 40 seeds that came out with a standard deviation of 0.064.
     """
     rng = np.random.default_rng(2)
     truth = Truth(np.exp(rng.normal(size=4000)), np.zeros(4000), "made up")
@@ -53,9 +53,9 @@ def test_bias_is_what_runs_have_in_common():
     found = bias(runs, efforts, truth)
     assert found["mean"] == pytest.approx(np.average(own, weights=truth.values) - 1, abs=5 * found["mean_error"])
     assert 0 < found["mean_error"] < 1e-3
-    assert found["p95"] == pytest.approx(0.0388, rel=0.1) and found["p95_noise"] == pytest.approx(1.96 * 0.1 / np.sqrt(168), rel=0.2)
+    assert found["p95"] == pytest.approx(0.0436, abs=5 * 0.00064) and found["p95_noise"] == pytest.approx(1.96 * 0.1 / np.sqrt(168), rel=0.03)
     unbiased = bias([truth.values * (1 + 0.1 * rng.normal(size=4000)) for _ in range(4)], [1] * 4, truth)
-    assert unbiased["p95"] < 0.4 * unbiased["p95_noise"] and abs(unbiased["mean"]) < 6 * unbiased["mean_error"]
+    assert unbiased["p95"] < 0.5 * unbiased["p95_noise"] and abs(unbiased["mean"]) < 6 * unbiased["mean_error"]
 
 
 def test_time_on_the_square_root_law():

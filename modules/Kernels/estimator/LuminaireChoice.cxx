@@ -70,9 +70,9 @@ HWY_INLINE Floats boundAt(const LampArrays& l, int i, Floats vx, Floats vy, Floa
   const auto px = hn::LoadU(d, l.px + i), py = hn::LoadU(d, l.py + i), pz = hn::LoadU(d, l.pz + i);
   const auto zx = hn::LoadU(d, l.zx + i), zy = hn::LoadU(d, l.zy + i), zz = hn::LoadU(d, l.zz + i);
   const auto z = hn::Add(hn::Add(hn::Mul(vx, zx), hn::Mul(vy, zy)), hn::Mul(vz, zz));
-  // q = v . (pole x zero)
-  const auto qx = hn::Sub(hn::Mul(py, zz), hn::Mul(pz, zy)), qy = hn::Sub(hn::Mul(pz, zx), hn::Mul(px, zz));
-  const auto qz = hn::Sub(hn::Mul(px, zy), hn::Mul(py, zx));
+  // q = v . (zero x pole): the photometric frame is left-handed.
+  const auto qx = hn::Sub(hn::Mul(zy, pz), hn::Mul(zz, py)), qy = hn::Sub(hn::Mul(zz, px), hn::Mul(zx, pz));
+  const auto qz = hn::Sub(hn::Mul(zx, py), hn::Mul(zy, px));
   const auto q = hn::Add(hn::Add(hn::Mul(vx, qx), hn::Mul(vy, qy)), hn::Mul(vz, qz));
 
   const auto square = hn::Max(hn::Sub(half, hn::Div(hn::Mul(half, along), distance)), zero);
