@@ -91,8 +91,8 @@ def test_all_light_is_that_of_the_same_room_in_own_words(model, tmp_path):
 
 
 def test_what_is_written_and_said(tmp_path):
-    """The whole command, camera and all, at the least effort."""
-    summary = solve(MODEL, tmp_path, Options(trajectories=32))
+    """The whole command, camera and all, at the least effort, which is not the default method's."""
+    summary = solve(MODEL, tmp_path, Options(method="local", trajectories=32))
     assert {path.name for path in tmp_path.iterdir()} >= {"corner.exr", "corner.png", "workplane.csv", "workplane.png"}
     said = {line["subject"]: line["choice"] for line in summary["audit"]}
     assert said["axes"] == "turned from y up to z up" and "spot lights" in said
