@@ -9,7 +9,8 @@ from kalos.validate import FALSE_ALARM, allowed_deviation, solve_receivers
 
 BOX = {"center": [3.3, 1.7, 0.75], "size": [1.5, 1.5, 1.5], "rotation_z_deg": -17}
 PROBES = np.array([(1.0, 1.0, 0.0, 0, 0, 1), (1.5, 3.5, 0.0, 0, 0, 1), (4.0, 4.0, 0.0, 0, 0, 1), (0.0, 2.0, 2.0, 1, 0, 0),
-                   (5.0, 3.0, 1.5, -1, 0, 0), (2.0, 5.0, 2.5, 0, -1, 0), (3.3, 1.7, 1.5, 0, 0, 1), (2.0, 2.0, 5.0, 0, 0, -1)])
+                   (5.0, 3.0, 1.5, -1, 0, 0), (2.0, 5.0, 2.5, 0, -1, 0), (3.3, 1.7, 1.5, 0, 0, 1), (2.0, 2.0, 5.0, 0, 0, -1),
+                   (3.77, 2.58, 0.0, 0, 0, 1)])  # the last would be in the box, were it turned the other way
 
 
 def room(material="grey"):

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scene files that are as they should be."""
+import math
+
 import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
@@ -79,6 +81,16 @@ def test_box_normals_point_outwards(tmp_path):
         assert sum(n * (c - o) for n, c, o in zip(normal, p.mean(axis=0), (1, 2, 3))) > 0
         area += sum(n * n for n in normal) ** 0.5
     assert area == pytest.approx(2 * (2 * 4 + 4 * 6 + 6 * 2))
+
+
+def test_boxes_turn_anti_clockwise_seen_from_above(tmp_path):
+    scene = minimal_scene()
+    box = {"center": [1, 2, 3], "size": [2, 4, 6], "rotation_z_deg": 30}
+    scene["surfaces"] = [{"name": "box", "box": box, "material": "white"}]
+    points = vtk_to_numpy(read(tmp_path, scene).GetSurfaces().GetPoints().GetData())
+    cosine, sine = math.cos(math.pi / 6), 0.5
+    corner = (1 + cosine - 2 * sine, 2 + sine + 2 * cosine, 6)  # that of +x, +y
+    assert min(math.dist(point, corner) for point in points) < 1e-12
 
 
 def test_rectangle_luminaire_and_superposed_arrays(tmp_path):

@@ -16,6 +16,11 @@ def test_errors_leave_dark_receivers_out():
     assert errors([[101, 49, 5, 204]], TRUTH, "mean")["rms"] == pytest.approx(np.sqrt((1 + 1 + 16) / 3) / mean)
 
 
+def test_dark_is_below_a_thousandth_of_the_median():
+    values = np.array([100.0, 99, 0, 0.09, 0.11, 100, 100])
+    assert Truth(values, np.zeros(7), "made up").lit.tolist() == [True, True, False, False, True, True, True]
+
+
 def test_percentile_runs_over_receivers_and_repetitions():
     estimates = np.full((25, 4), TRUTH.values)
     estimates[0, 0] = 110

@@ -23,12 +23,13 @@ def floor(reflectance=0.5, side=10):
     return surface
 
 
-def plane(z=1.0):
+def plane(z=1.0, flip=False):
     source = kalos.vtkKalosCalculationPlane()
     source.SetOrigin(4, 4, z)
     source.SetU(2, 0, 0)
     source.SetV(0, 2, 0)
     source.SetResolution(3, 3)
+    source.SetFlip(flip)
     source.Update()
     return source.GetOutput()
 
@@ -76,6 +77,16 @@ def test_input_stays_as_it_was():
     receivers = plane()
     update(estimator(receivers, floor()))
     assert not receivers.GetCellData().HasArray("Illuminance")
+
+
+def test_seeds_repeat_and_differ():
+    solved = []
+    for seed in (1, 1, 2):
+        light = estimator(plane(flip=True), floor())
+        light.SetSeed(seed)
+        update(light)
+        solved.append(values(light.GetOutputDataObject(0)).tolist())
+    assert solved[0] == solved[1] != solved[2]
 
 
 def test_progress_is_reported():
