@@ -18,8 +18,9 @@ public:
   std::string load() override { return this->Given; }
   void save(const std::string& bytes) override { this->Saved.push_back(bytes); }
   std::string name() const override { return "shelf"; }
-  double interval() const override { return 0; }
+  double interval() const override { return this->Interval; }
 
+  double Interval = 0;  // s
   std::string Given;
   std::vector<std::string> Saved;
 };
@@ -151,6 +152,24 @@ TEST(Checkpoint, AbortedSolvesKeepTheirLastRound)
   const Result resumed = solve(scene, points(), s);
   expectSame(resumed, whole);
   EXPECT_GT(resumed.seconds, aborted.seconds);
+}
+
+// What is saved seldom is the last round all the same.
+TEST(Checkpoint, TheLastRoundIsSaved)
+{
+  const Scene scene(room());
+  Shelf often, seldom, again;
+  seldom.Interval = 1e9;
+  Settings s = settings(Method::Compensated, often);
+  solve(scene, points(), s);
+  ASSERT_GE(often.Saved.size(), 3u);
+  s.checkpoint = &seldom;
+  solve(scene, points(), s);
+  ASSERT_EQ(seldom.Saved.size(), 1u);
+  again.Given = seldom.Saved.front();
+  s.checkpoint = &again;
+  solve(scene, points(), s);
+  EXPECT_TRUE(again.Saved.empty()) << "nothing is left to do";
 }
 
 TEST(Checkpoint, ImagesAreResumedToo)

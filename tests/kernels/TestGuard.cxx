@@ -80,6 +80,18 @@ TEST(Guard, NegativeScoresMakeAReceiverUnsound)
   EXPECT_TRUE(tally.sound(0, 0));
 }
 
+TEST(Tally, AScoreStandsOutBeyondThreeTimesTheMedianOfTheReplicates)
+{
+  const Scene scene(rooms::litRoom(0.5));
+  Tally tally(scene, 1, 16);
+  for (int replicate = 0; replicate < 16; ++replicate)
+    tally.noteScore(0, replicate, replicate < 15 ? 2 : 5.9);
+  EXPECT_FALSE(tally.largestStandsOut(0));
+  tally.noteScore(0, 3, 6.1);
+  EXPECT_TRUE(tally.largestStandsOut(0));
+  EXPECT_TRUE(Tally(scene, 1, 8).largestStandsOut(0)) << "too few to tell";
+}
+
 // A closed room keeps its light, whatever its materials; all methods count alike.
 TEST(EnergyBalance, AClosedRoomAbsorbsEverything)
 {
