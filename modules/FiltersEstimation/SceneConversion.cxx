@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneConversion.h"
 
+#include <cmath>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -23,6 +25,8 @@
 namespace
 {
 namespace Names = vtkKalosArrayNames;
+
+constexpr double largestDistribution = 1e6;  // luminaires may have as many candela tables
 
 [[noreturn]] void Refuse(const char* array, const char* what, vtkIdType i, const std::string& expected)
 {
@@ -226,6 +230,14 @@ kalos::Vec3 ReadUp(vtkPolyData* luminaires, vtkIdType i, const kalos::Vec3& axis
   return kalos::normalized(across);
 }
 
+/// Without the zeros of a whole number.
+std::string Shown(double number)
+{
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
 void AddLuminaires(vtkPolyData* input, kalos::SceneDescription& scene)
 {
   std::map<int, std::shared_ptr<const kalos::CandelaTable>> tables;
@@ -253,10 +265,11 @@ void AddLuminaires(vtkPolyData* input, kalos::SceneDescription& scene)
     l.sideV = ReadVector(input, Names::SideV, i, {});
     if (!l.isPoint() && !(kalos::length(kalos::cross(l.sideU, l.sideV)) > 0))
       Refuse(Names::SideV, "luminaire", i, "spans no area with SideU");
-    const int kind = distribution ? static_cast<int>(distribution->GetComponent(i, 0)) : 1;
-    if (kind < 0)
+    const double number = distribution ? distribution->GetComponent(i, 0) : 1;
+    if (!(number >= 0 && number <= largestDistribution && number == std::floor(number)))
       Refuse(Names::Distribution, "luminaire", i,
-             "is " + std::to_string(kind) + ", expected 0 (isotropic), 1 (Lambertian) or 2 and more (candela tables)");
+             "is " + Shown(number) + ", expected 0 (isotropic), 1 (Lambertian) or 2 and more (candela tables)");
+    const int kind = static_cast<int>(number);
     l.distribution = kind == 0 && l.isPoint() ? kalos::Distribution::Isotropic : kalos::Distribution::Lambertian;
     if (kind >= 2)
     {

@@ -8,6 +8,7 @@
 #include "CheckpointFile.h"
 #include "ControllerRanks.h"
 #include "ReceiverConversion.h"
+#include "estimator/DarkReceivers.h"
 #include "estimator/Solver.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
@@ -145,10 +146,12 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
     const auto checkpoint = this->MakeCheckpoint();
     kalos::Settings settings = this->MakeSettings(ranks, checkpoint.get());
     settings.keepReplicates = this->KeepReplicates;
-    const kalos::Result result = kalos::solve(
+    kalos::Result result = kalos::solve(
         *scene, receivers, settings, [this](double f) { return this->ReportProgress(f); }, show);
     if (result.trajectories == 0)  // stopped before the first round was complete
       return 1;
+    for (kalos::AuditLine& line : kalos::auditDarkReceivers(*scene, receivers, result))
+      result.audit.push_back(std::move(line));
     using Pipeline = vtkStreamingDemandDrivenPipeline;
     vtkInformation* asked = outputs->GetInformationObject(0);
     if (asked->Has(Pipeline::UPDATE_PIECE_NUMBER()) && asked->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)

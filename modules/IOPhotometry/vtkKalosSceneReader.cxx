@@ -93,14 +93,15 @@ Scene ReadScene(const std::string& path)
   std::set<std::string> names;
   Scene scene;
   scene.Surfaces = MakeSurfaceData(surfaces.All);
-  scene.Receivers = ReadReceivers(root, surfaces.All, folder, names);
+  scene.Receivers = ReadReceivers(root, surfaces.All, folder, names, surfaces.Approximations);
   scene.Cameras = ReadCameras(root, names);
   AddModelCameras(surfaces.Cameras, names, scene.Cameras);
   if (surfaces.HasModel && !root.Has("receivers"))
   {
     AddUsualReceivers(surfaces, names, scene.Receivers);
   }
-  scene.Luminaires = ReadLuminaires(root, folder, surfaces.Lights, LitBall(scene.Surfaces, scene.Receivers));
+  scene.Luminaires =
+      ReadLuminaires(root, folder, surfaces.Lights, LitBall(scene.Surfaces, scene.Receivers), surfaces.Approximations);
   AddLightNotes(surfaces.Lights, surfaces.Approximations);
   PutNotes(surfaces.Approximations, scene.Surfaces);
 

@@ -3,7 +3,8 @@
  * @class   vtkKalosSceneReader
  * @brief   read a scene: a Kalos scene file, or a glTF or OBJ model
  *
- * A scene file is JSON, lengths in metres, flux in lm; unknown keys are errors; paths are relative to the scene file.
+ * A scene file is JSON, lengths in metres, flux in lm; unknown keys are errors; paths are relative to the scene file
+ * (the rule for those that lead elsewhere is in scene/FilePaths.h).
  *
  * - kalos: 1, the version of the format
  * - materials: NAME: reflectance (number or one a band, [0,1)); specular and roughness; mirror; exitance (lm/m²)

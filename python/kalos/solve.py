@@ -12,6 +12,7 @@ from kalos.errors import KalosError, update
 from kalos.estimator import Options, named_options
 from kalos.glare import rate_glare
 from kalos.hdr import write_hdr
+from kalos.memory import check_memory
 from kalos.output import staged
 from kalos.preparation import UNPREPARED, prepare_scene
 from kalos.progress import run
@@ -100,6 +101,7 @@ def set_up(scene, preparing):
     reader = read_scene(scene)
     check_results(reader, scene)
     check_light(reader, scene)
+    check_memory(scene, reader, preparing)
     return reader, prepare_scene(scene, reader) if preparing else UNPREPARED
 
 

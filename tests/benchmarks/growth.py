@@ -26,31 +26,41 @@ FACES = np.array([(0, 2, 1), (4, 5, 6), (0, 1, 4), (2, 6, 3), (0, 4, 2), (1, 3, 
 
 
 def box(origin, size, squares, inwards):
-    """Triangles (n, 3, 3) of a box whose faces are cut into squares x squares pieces."""
+    """Points and triangles (n, 3) of a box whose faces are cut into squares x squares pieces; faces share no points."""
     corner, right, up = (origin + size * CORNERS[FACES[:, k]] for k in range(3))
     u, v = (right - corner) / squares, (up - corner) / squares
-    i, j = (index.ravel() for index in np.meshgrid(np.arange(squares), np.arange(squares)))
-    at = corner[:, None] + i[None, :, None] * u[:, None] + j[None, :, None] * v[:, None]
-    u, v = u[:, None], v[:, None]
     if inwards:
         u, v = v, u
-    return np.stack([at, at + u, at + u + v, at, at + u + v, at + v], axis=2).reshape(-1, 3, 3)
+    row = squares + 1
+    i, j = (index.ravel() for index in np.meshgrid(np.arange(row), np.arange(row)))
+    points = corner[:, None] + i[None, :, None] * u[:, None] + j[None, :, None] * v[:, None]
+    a = (np.arange(squares)[:, None] * row + np.arange(squares)).ravel()
+    face = np.stack([a, a + 1, a + 1 + row, a, a + 1 + row, a + row], axis=1).reshape(-1, 3)
+    return points.reshape(-1, 3), (row**2 * np.arange(6)[:, None, None] + face).reshape(-1, 3)
 
 
-def room(triangles):
-    """A room with 100 boxes, cut into about so many triangles."""
+def room_mesh(triangles):
+    """Points and triangles of a room with 100 boxes, cut into about so many triangles."""
     squares = max(1, round(np.sqrt(triangles / (12 * 101))))
     parts = [box(np.zeros(3), np.array([SIDE, SIDE, HEIGHT]), squares, True)]
     for i in range(100):
         parts.append(box(np.array([1 + 3.0 * (i % 10), 1 + 3.0 * (i // 10), 0]), np.array([1.2, 0.8, 0.7]), squares, False))
-    faces = np.concatenate(parts)
-    return kalos.surface(faces.reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3), 0.5), len(faces)
+    first = np.cumsum([0, *(len(points) for points, _ in parts[:-1])])
+    return np.concatenate([points for points, _ in parts]), np.concatenate([k + faces for k, (_, faces) in zip(first, parts)])
+
+
+def room(triangles):
+    points, faces = room_mesh(triangles)
+    return kalos.surface(points, faces, 0.5), len(faces)
+
+
+def lamp_places(count):
+    side = int(np.ceil(np.sqrt(count)))
+    return [(SIDE * (k % side + 0.5) / side, SIDE * (k // side + 0.5) / side, HEIGHT - 0.01) for k in range(count)]
 
 
 def lamps(count):
-    side = int(np.ceil(np.sqrt(count)))
-    places = [(SIDE * (k % side + 0.5) / side, SIDE * (k // side + 0.5) / side, HEIGHT - 0.01) for k in range(count)]
-    return kalos.luminaire(places, 100000 / count)
+    return kalos.luminaire(lamp_places(count), 100000 / count)
 
 
 def plane(count):

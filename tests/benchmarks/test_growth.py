@@ -15,8 +15,9 @@ def test_exponent():
 @pytest.mark.parametrize("inwards, sign", [(True, -1), (False, 1)])
 def test_boxes_are_closed(inwards, sign):
     """The divergence theorem: the triangles enclose the volume, positive where the normals point outwards."""
-    faces = growth.box(np.array([1.0, 2, 3]), np.array([1.2, 0.8, 0.7]), 3, inwards)
-    assert len(faces) == 6 * 9 * 2
+    points, triangles = growth.box(np.array([1.0, 2, 3]), np.array([1.2, 0.8, 0.7]), 3, inwards)
+    faces = points[triangles]
+    assert len(faces) == 6 * 9 * 2 and len(points) == 6 * 16
     volume = np.einsum("nx,nx->n", faces[:, 0], np.cross(faces[:, 1], faces[:, 2])).sum() / 6
     assert volume == pytest.approx(sign * 1.2 * 0.8 * 0.7)
 

@@ -220,7 +220,7 @@ def test_rectangle_mistakes(tmp_path, change, message):
 @pytest.mark.parametrize("change, message", [
     ({"surface": "roof"}, 'receivers.w.surface: found "roof"; expected the name of one of "surfaces"'),
     ({"edge_length": 0}, "receivers.w.edge_length: found 0; expected a number above 0.0"),
-    ({"edge_length": 1e-6}, "receivers.w.edge_length: found 1e-06; expected a longer edge: at most 20000000 triangles"),
+    ({"edge_length": 1e-6}, "receivers.w.edge_length: found 1e-06; expected a longer edge: at most 5000000 receivers"),
     ({"edge_length": 1e-320}, "receivers.w.edge_length: found "),
     ({"flip": "yes"}, 'receivers.w.flip: found "yes"; expected true or false'),
     ({"step": 1}, 'receivers.w: unknown key "step"; expected name, surface, edge_length, flip'),
@@ -229,6 +229,15 @@ def test_surface_receiver_mistakes(tmp_path, change, message):
     scene = minimal_scene()
     scene["receivers"] = [dict({"name": "w", "surface": "floor", "edge_length": 1}, **change)]
     assert error_of(tmp_path, scene).startswith(message)
+
+
+def test_too_many_receivers(tmp_path):
+    scene = minimal_scene()
+    plane = scene["receivers"][0]["plane"]
+    scene["receivers"].append({"name": "second", "plane": dict(plane, resolution=[5000, 1000])})
+    error = error_of(tmp_path, scene)
+    assert error.startswith("receivers.second.plane: found {") and error.endswith(
+        "; expected at most 4999988 receivers, as all sets of a scene together may have 5000000")
 
 
 def test_flip_given_twice(tmp_path):
@@ -248,6 +257,8 @@ def test_flip_given_twice(tmp_path):
     ("x,y,z,nx,ny,nz\n1,2,1e999,0,0,1\n", "p.csv: line 2: not a receiver; expected six finite numbers"),
     ("x,y,z,nx,ny,nz\n1;2;3;0;0;1\n", "p.csv: line 2: not a receiver; expected six finite numbers"),
     ("x,y,z,nx,ny,nz\n1,2,3,0,0,0\n", "p.csv: line 2: the normal is zero; expected a direction"),
+    ("x,y,z,nx,ny,nz\n" + " " * 1025, "p.csv: line 2: longer than 1024 bytes; expected x,y,z,nx,ny,nz"),
+    ("x,y,z,nx,ny,nz" * 9999, "p.csv: line 1: longer than 1024 bytes; expected"),
 ])
 def test_probe_mistakes(tmp_path, text, message):
     scene = minimal_scene()

@@ -48,8 +48,22 @@ def models():
     yield "mtllib model.obj\nnewmtl a\nKd 0.5 0.5 0.5\nKs 1\nNs 9\nillum 3\no b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nf -1 -2 -3\n"
 
 
+def probes():
+    yield "x,y,z,nx,ny,nz\n0.5,0.5,0,0,0,1\n\n1e-3,-2.5E+2,0,0,1e-300,-1e300\r\n"
+    yield "x, y, z, nx, ny, nz\n 1 , 2 , 3 , 0 , 0 , .5\n"
+
+
+def checkpoints():
+    yield b"\0KALOSCP1" + bytes(24)
+    for kind in (1, 2, 3):  # nothing changed, a byte changed, cut short
+        yield bytes([kind])
+        yield bytes([kind, 40, 0, 7])
+        yield bytes([kind, 0, 255, 0])
+
+
 def main(folder):
-    for target, seeds in (("FuzzScene", scenes()), ("FuzzModel", models())):
+    for target, seeds in (("FuzzScene", scenes()), ("FuzzModel", models()), ("FuzzProbe", probes()),
+                          ("FuzzCheckpoint", checkpoints())):
         (folder / target).mkdir(parents=True, exist_ok=True)
         for i, seed in enumerate(seeds):
             (folder / target / f"seed-{i}").write_bytes(seed if isinstance(seed, bytes) else seed.encode())

@@ -2,6 +2,7 @@
 """Every array and option that can not be used is a ValueError with its name, its shape and what is expected."""
 import numpy as np
 import pytest
+from vtkmodules.util.numpy_support import numpy_to_vtk
 
 import kalos
 from kalos.errors import KalosError
@@ -32,7 +33,17 @@ def from_file():
     return lamp
 
 
+def distributed(number):
+    """A luminaire whose Distribution is this number, of an array that can hold any."""
+    lamp = kalos.luminaire((2, 2, 3), 5)
+    array = numpy_to_vtk(np.array([number], float), deep=True)
+    array.SetName("Distribution")
+    lamp.GetPointData().AddArray(array)
+    return lamp
+
+
 NORMALS = np.tile(UP, (3, 1))
+KINDS = "expected 0 (isotropic), 1 (Lambertian) or 2 and more (candela tables)"
 
 
 @pytest.mark.parametrize("call, message", [
@@ -50,6 +61,10 @@ NORMALS = np.tile(UP, (3, 1))
     (lambda: estimate(normals=NORMALS[:2]), "normals: has shape (2, 3), expected (3, 3) or (3,)"),
     (lambda: estimate(normals=NORMALS * [1, 1, 2]), "normals: has shape (3, 3) and length 2 at [0], expected unit vectors"),
     (lambda: estimate(normals=(0, 0, 0)), "normals: has shape (3,) and length 0 at [], expected unit vectors"),
+    (lambda: estimate(luminaires=distributed(np.nan)), f"Distribution of luminaire 0: is nan, {KINDS}"),
+    (lambda: estimate(luminaires=distributed(-1)), f"Distribution of luminaire 0: is -1, {KINDS}"),
+    (lambda: estimate(luminaires=distributed(1e300)), f"Distribution of luminaire 0: is 1e+300, {KINDS}"),
+    (lambda: estimate(luminaires=distributed(0.5)), f"Distribution of luminaire 0: is 0.5, {KINDS}"),
     (lambda: estimate(surfaces=5), "surfaces: item 0 is of int, expected vtkPolyData or a list of them"),
     (lambda: estimate(luminaires=[None]), "luminaires: item 0 is of NoneType, expected vtkPolyData or a list of them"),
     (lambda: estimate(luminaires=[kalos.luminaire((1, 1, 1), 5), from_file()]),

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "../scene/FilePaths.h"
 #include "../scene/SceneError.h"
 
 namespace kalos::scene
@@ -102,7 +103,7 @@ const std::set<std::string> KnownExtensions = {"KHR_lights_punctual",        "KH
                                                "KHR_materials_variants"};
 }  // namespace
 
-GltfFile::GltfFile(const std::string& path) : Path(path)
+GltfFile::GltfFile(const std::string& path, Notes& notes) : Path(path), FileNotes(notes)
 {
   std::string content = ReadFile(path, "file");
   if (content.compare(0, 4, "glTF") != 0)
@@ -208,8 +209,8 @@ const std::string& GltfFile::Resolve(const Node& uri) const
   }
   else
   {
-    const std::filesystem::path folder = std::filesystem::path(this->Path).parent_path();
-    content = ReadFile((folder / DecodePercent(text)).string(), uri.Where());
+    const std::string folder = std::filesystem::path(this->Path).parent_path().string();
+    content = ReadFile(ResolvePath(folder, DecodePercent(text), this->FileNotes), uri.Where());
   }
   return this->Loaded[text] = std::move(content);
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "../scene/SceneJson.h"
+#include "../scene/SceneNotes.h"
 
 namespace kalos::scene
 {
@@ -24,8 +25,9 @@ struct Bytes
 class GltfFile
 {
 public:
-  /** Read the file at `path`; throws SceneError. Buffers beside it are read when they are needed. */
-  explicit GltfFile(const std::string& path);
+  /** Read the file at `path`; throws SceneError. Buffers are read when they are needed; `notes` gets
+   * scene/FilePaths.h's. */
+  GltfFile(const std::string& path, Notes& notes);
   GltfFile(const GltfFile&) = delete;
   void operator=(const GltfFile&) = delete;
 
@@ -46,6 +48,7 @@ private:
   Bytes Buffer(std::size_t index) const;
 
   std::string Path;
+  Notes& FileNotes;
   std::string Content;  ///< of the whole file, if it is a .glb
   Bytes Chunk;          ///< the binary chunk of a .glb
   bool HasChunk = false;

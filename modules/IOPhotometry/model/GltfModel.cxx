@@ -13,7 +13,7 @@ namespace kalos::scene
 {
 namespace
 {
-constexpr std::size_t MaximumTriangles = 100000000;  ///< over all instances
+constexpr std::size_t MaximumTriangles = 10000000;  ///< over all instances
 
 /** Walks the nodes of a scene and gathers what hangs on them. */
 class Walk
@@ -158,8 +158,8 @@ std::vector<Node> Roots(const GltfFile& file)
 
 Model ReadGltfModel(const std::string& path, const ModelUse& use)
 {
-  const GltfFile file(path);
   Model model;
+  const GltfFile file(path, model.Approximations);
   Walk(file, use, model).Run(Roots(file));
   return model;
 }

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "../scene/FilePaths.h"
+#include "../scene/SceneError.h"
 #include "../scene/SceneReceivers.h"
 #include "../scene/SurfaceReceivers.h"
 #include "Names.h"
@@ -74,7 +76,16 @@ vtkSmartPointer<vtkPolyData> MakeAllSurfaces(const std::vector<Surface>& surface
       all.AddPolygon(corners, 0);
     }
   }
-  return MakeSurfaceReceivers(all, edgeLength, false);
+  try
+  {
+    return MakeSurfaceReceivers(all, edgeLength, false, MaximumReceivers);
+  }
+  catch (const std::length_error&)
+  {
+    throw SceneError("receivers",
+                     "the file gives none, and its surfaces are too many triangles to compute on; expected a "
+                     "scene file around it with receivers");
+  }
 }
 
 std::string Metres(double length)
@@ -185,7 +196,7 @@ void PutNotes(const Notes& notes, vtkPolyData* surfaces)
   vtkNew<vtkStringArray> table;
   table->SetName(vtkKalosArrayNames::SceneNotes);
   table->SetNumberOfComponents(3);
-  for (const Note& note : notes)
+  for (const Note& note : JoinFilesElsewhere(notes))
   {
     for (const std::string& text : {note.Subject, note.Choice, note.Reason})
     {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <sstream>
 
+#include "../scene/FilePaths.h"
 #include "../scene/SceneError.h"
 #include "AverageColor.h"
 #include "MetallicRoughness.h"
@@ -40,7 +41,7 @@ struct Entry
 class MtlParser
 {
 public:
-  MtlParser(const std::string& path, Notes& notes) : Path(path), Found(notes) {}
+  MtlParser(const std::string& path, Notes& notes) : Path(path), AllNotes(notes), Found(notes) {}
 
   Materials Parse()
   {
@@ -210,7 +211,8 @@ private:
     // Options may stand before the name.
     const std::string name =
         entry.Texture[0] == '-' ? entry.Texture.substr(entry.Texture.rfind(' ') + 1) : entry.Texture;
-    const std::filesystem::path path = std::filesystem::path(this->Path).parent_path() / name;
+    const std::string path =
+        ResolvePath(std::filesystem::path(this->Path).parent_path().string(), name, this->AllNotes);
     std::error_code ignored;
     std::string content, problem = "there is no file " + name;
     if (std::filesystem::is_regular_file(path, ignored))
@@ -233,6 +235,7 @@ private:
   }
 
   const std::string& Path;
+  Notes& AllNotes;
   Tally Found;
   std::optional<Entry> Current;
   Materials Result;

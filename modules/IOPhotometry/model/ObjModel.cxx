@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <unordered_map>
 
+#include "../scene/FilePaths.h"
 #include "../scene/SceneError.h"
 #include "MtlFile.h"
 #include "Tally.h"
@@ -19,7 +20,7 @@ Materials ReadLibraries(const std::string& path, const ObjFile& file, Notes& not
   Materials all;
   for (const std::string& name : file.Libraries)
   {
-    const std::string library = (std::filesystem::path(path).parent_path() / name).string();
+    const std::string library = ResolvePath(std::filesystem::path(path).parent_path().string(), name, notes);
     std::error_code ignored;
     if (std::filesystem::is_regular_file(library, ignored))
     {

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "SceneError.h"
+#include "SceneReceivers.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"
@@ -38,9 +39,35 @@ bool ParseRow(const std::string& line, std::array<double, 6>& row)
   }
   return (text >> std::ws).eof();
 }
+
+/** The next line as far as it is not too long, which is an error; false at the end of the file. */
+bool NextLine(std::istream& file, std::string& line, const std::string& path, long long number)
+{
+  std::array<char, MaximumProbeLine + 1> buffer;
+  file.getline(buffer.data(), buffer.size());
+  const auto count = static_cast<std::size_t>(file.gcount());
+  if (file.fail() && count > 0)
+  {
+    throw SceneError(path, "line " + std::to_string(number),
+                     "longer than " + std::to_string(MaximumProbeLine) + " bytes; expected " + Header);
+  }
+  line.assign(buffer.data(), file.eof() ? count : count - std::min<std::size_t>(count, 1));
+  return !file.fail();
+}
+
+/** Make a unit vector of any finite one, even where its square is beyond the numbers; false for zero. */
+bool MakeUnit(double* vector)
+{
+  const double largest = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+  for (int i = 0; largest > 0.0 && i < 3; ++i)
+  {
+    vector[i] /= largest;
+  }
+  return vtkMath::Normalize(vector) > 0.0;
+}
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> ReadProbeFile(const Node& place, const std::string& path)
+vtkSmartPointer<vtkPolyData> ReadProbeFile(const Node& place, const std::string& path, std::int64_t most)
 {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
@@ -56,7 +83,7 @@ vtkSmartPointer<vtkPolyData> ReadProbeFile(const Node& place, const std::string&
 
   std::ifstream file(path, std::ios::binary);
   std::string line;
-  for (long long number = 1; std::getline(file, line); ++number)
+  for (long long number = 1; NextLine(file, line, path, number); ++number)
   {
     const std::string where = "line " + std::to_string(number);
     line.erase(line.find_last_not_of(" \t\r") + 1);
@@ -78,9 +105,13 @@ vtkSmartPointer<vtkPolyData> ReadProbeFile(const Node& place, const std::string&
     {
       throw SceneError(path, where, std::string("not a receiver; expected six finite numbers ") + Header);
     }
-    if (vtkMath::Normalize(&row[3]) == 0.0)
+    if (!MakeUnit(&row[3]))
     {
       throw SceneError(path, where, "the normal is zero; expected a direction");
+    }
+    if (points->GetNumberOfPoints() >= most)
+    {
+      throw SceneError(path, where, "one receiver too many; expected " + FewerReceivers(most));
     }
     const vtkIdType id = points->InsertNextPoint(row.data());
     vertices->InsertNextCell(1, &id);

@@ -11,11 +11,14 @@
 
 namespace kalos::scene
 {
+constexpr std::size_t MaximumProbeLine = 1024;
+
 /**
  * Read the header `x,y,z,nx,ny,nz` and one receiver a line, position in m and normal of any length; blank lines are
  * passed over. The output has vertices and point normals of unit length. `place` is the scene's value with the path.
+ * More than `most` receivers, and lines longer than MaximumProbeLine bytes, are errors.
  */
-vtkSmartPointer<vtkPolyData> ReadProbeFile(const Node& place, const std::string& path);
+vtkSmartPointer<vtkPolyData> ReadProbeFile(const Node& place, const std::string& path, std::int64_t most);
 }  // namespace kalos::scene
 
 #endif

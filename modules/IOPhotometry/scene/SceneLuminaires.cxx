@@ -8,8 +8,8 @@
 
 #include "../model/Names.h"
 #include "ErrorCatcher.h"
+#include "FilePaths.h"
 #include "SceneError.h"
-#include "SceneSurfaces.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
@@ -77,10 +77,10 @@ void AddWarning(vtkStringArray* warnings, const std::string& code, const std::st
 
 /** A luminaire of a photometric file; each file's warnings are told once. */
 vtkSmartPointer<vtkPolyData> ReadMeasured(const Node& node, const std::string& folder, std::set<std::string>& told,
-                                          vtkStringArray* warnings)
+                                          vtkStringArray* warnings, Notes& notes)
 {
   node.CheckKeys({"name", "position", "aim", "rotation_deg", "flux", "file", "lamp_set"});
-  const std::string path = ResolvePath(folder, node.At("file").String());
+  const std::string path = ResolvePath(folder, node.At("file").String(), notes);
   vtkNew<vtkKalosPhotometryReader> reader;
   reader->SetFileName(path.c_str());
   reader->SetName(node.Name());
@@ -210,7 +210,7 @@ void Append(vtkPolyData* all, vtkPolyData* one, Tables& tables)
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string& folder,
-                                            const std::vector<ModelLight>& lights, const Ball& lit)
+                                            const std::vector<ModelLight>& lights, const Ball& lit, Notes& notes)
 {
   auto all = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -227,7 +227,7 @@ vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string
   const auto section = scene.Find("luminaires");
   for (const Node& node : section ? section->Items() : std::vector<Node>())
   {
-    const auto one = node.Has("file") ? ReadMeasured(node, folder, told, warnings) : ReadLuminaire(node);
+    const auto one = node.Has("file") ? ReadMeasured(node, folder, told, warnings, notes) : ReadLuminaire(node);
     if (!names.insert(node.Name()).second)
     {
       node.Fail("another luminaire has this name; expected a name of its own");

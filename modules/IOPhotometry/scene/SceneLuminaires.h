@@ -13,10 +13,10 @@ namespace kalos::scene
 /**
  * All luminaires in one, as vtkKalosLuminaireSource makes them; photometric files are looked for below `folder`. Field
  * data: the candela tables, and PhotometryWarnings. `lights` of models follow, but those that have the name of one of
- * the scene's own; parallel ones reach the ball `lit`.
+ * the scene's own; parallel ones reach the ball `lit`. Files that lie elsewhere are added to `notes` (FilePaths.h).
  */
 vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string& folder,
-                                            const std::vector<ModelLight>& lights, const Ball& lit);
+                                            const std::vector<ModelLight>& lights, const Ball& lit, Notes& notes);
 }  // namespace kalos::scene
 
 #endif

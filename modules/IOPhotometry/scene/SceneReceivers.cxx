@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ErrorCatcher.h"
+#include "FilePaths.h"
 #include "ProbeFile.h"
 #include "SceneCameras.h"
 #include "SurfaceReceivers.h"
@@ -51,7 +52,7 @@ std::array<int, 2> ReadGrid(const Node& plane)
   return *cells;
 }
 
-vtkSmartPointer<vtkPolyData> ReadPlane(const Node& receiver)
+vtkSmartPointer<vtkPolyData> ReadPlane(const Node& receiver, std::int64_t most)
 {
   receiver.CheckKeys({"name", "plane", "flip"});
   const Node node = receiver.At("plane");
@@ -64,7 +65,12 @@ vtkSmartPointer<vtkPolyData> ReadPlane(const Node& receiver)
   plane->SetOrigin(node.At("origin").Vector().data());
   plane->SetU(node.At("u").Vector().data());
   plane->SetV(node.At("v").Vector().data());
-  plane->SetResolution(ReadGrid(node).data());
+  const std::array<int, 2> grid = ReadGrid(node);
+  if (std::int64_t{grid[0]} * grid[1] > most)
+  {
+    node.FailExpected(FewerReceivers(most));
+  }
+  plane->SetResolution(grid.data());
   plane->SetFlip(ReadFlip(node) || ReadFlip(receiver));
   ErrorCatcher errors(plane);
   plane->Update();
@@ -75,7 +81,7 @@ vtkSmartPointer<vtkPolyData> ReadPlane(const Node& receiver)
   return plane->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> ReadSurface(const Node& receiver, const std::vector<Surface>& surfaces)
+vtkSmartPointer<vtkPolyData> ReadSurface(const Node& receiver, const std::vector<Surface>& surfaces, std::int64_t most)
 {
   receiver.CheckKeys({"name", "surface", "edge_length", "flip"});
   const Node node = receiver.At("surface");
@@ -88,7 +94,7 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const Node& receiver, const std::vector
   const Node length = receiver.At("edge_length");
   try
   {
-    return MakeSurfaceReceivers(found->Polygons, length.NumberAbove(0.0), ReadFlip(receiver));
+    return MakeSurfaceReceivers(found->Polygons, length.NumberAbove(0.0), ReadFlip(receiver), most);
   }
   catch (const std::length_error& error)
   {
@@ -124,7 +130,7 @@ vtkSmartPointer<vtkPolyData> ReadObserver(const Node& receiver)
 }
 
 vtkSmartPointer<vtkPolyData> ReadReceiver(const Node& node, const std::vector<Surface>& surfaces,
-                                          const std::string& folder)
+                                          const std::string& folder, std::int64_t most, Notes& notes)
 {
   const int kinds =
       int(node.Has("plane")) + int(node.Has("points")) + int(node.Has("surface")) + int(node.Has("observer"));
@@ -135,11 +141,11 @@ vtkSmartPointer<vtkPolyData> ReadReceiver(const Node& node, const std::vector<Su
   }
   if (node.Has("plane"))
   {
-    return ReadPlane(node);
+    return ReadPlane(node, most);
   }
   if (node.Has("surface"))
   {
-    return ReadSurface(node, surfaces);
+    return ReadSurface(node, surfaces, most);
   }
   if (node.Has("observer"))
   {
@@ -147,9 +153,15 @@ vtkSmartPointer<vtkPolyData> ReadReceiver(const Node& node, const std::vector<Su
   }
   node.CheckKeys({"name", "points"});
   const Node points = node.At("points");
-  return ReadProbeFile(points, ResolvePath(folder, points.String()));
+  return ReadProbeFile(points, ResolvePath(folder, points.String(), notes), most);
 }
 }  // namespace
+
+std::string FewerReceivers(std::int64_t most)
+{
+  return "at most " + std::to_string(most) + " receivers, as all sets of a scene together may have " +
+         std::to_string(MaximumReceivers);
+}
 
 std::optional<std::array<int, 2>> StandardGrid(double u, double v)
 {
@@ -169,14 +181,17 @@ std::optional<std::array<int, 2>> StandardGrid(double u, double v)
 }
 
 vtkSmartPointer<vtkMultiBlockDataSet> ReadReceivers(const Node& scene, const std::vector<Surface>& surfaces,
-                                                    const std::string& folder, std::set<std::string>& names)
+                                                    const std::string& folder, std::set<std::string>& names,
+                                                    Notes& notes)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  std::int64_t left = MaximumReceivers;
   const auto section = scene.Find("receivers");
   for (const Node& node : section ? section->Items() : std::vector<Node>())
   {
     const unsigned int block = blocks->GetNumberOfBlocks();
-    const auto data = ReadReceiver(node, surfaces, folder);
+    const auto data = ReadReceiver(node, surfaces, folder, left, notes);
+    left -= data->GetNumberOfCells();  // vertices are cells too
     const std::string name = node.Name();
     if (!names.insert(name).second)
     {

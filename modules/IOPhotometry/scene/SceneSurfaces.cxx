@@ -2,11 +2,11 @@
 #include "SceneSurfaces.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
 #include "../model/ModelFile.h"
 #include "../model/Names.h"
+#include "FilePaths.h"
 #include "MeshFile.h"
 #include "SceneError.h"
 #include "vtkCellArray.h"
@@ -105,7 +105,7 @@ Mesh ReadFile(const Node& node, const Materials& materials, const Material* mate
               Notes& notes)
 {
   const Node file = node.At("file");
-  const std::string path = ResolvePath(folder, file.String());
+  const std::string path = ResolvePath(folder, file.String(), notes);
   const Transform place = ReadPlace(node, path);
   if (IsGltfFile(path))
   {
@@ -157,7 +157,8 @@ void AddModel(const Node& node, const Materials& materials, const std::string& f
 {
   node.CheckKeys({"file", "material", "scale", "up", "lights", "cameras"});
   const Node file = node.At("file");
-  const std::string path = ResolvePath(folder, file.String());
+  Notes& notes = surfaces.Approximations;
+  const std::string path = ResolvePath(folder, file.String(), notes);
   Model model = ReadModelFile(file, path, {ReadPlace(node, path), &materials, FindMaterial(node, materials)});
   for (ModelPart& part : model.Parts)
   {
@@ -173,7 +174,6 @@ void AddModel(const Node& node, const Materials& materials, const std::string& f
   {
     surfaces.Cameras.insert(surfaces.Cameras.end(), model.Cameras.begin(), model.Cameras.end());
   }
-  Notes& notes = surfaces.Approximations;
   if (!node.Has("up"))
   {
     notes.push_back({"axes", IsGltfFile(path) ? "turned from y up to z up" : "as in the file, z up",
@@ -214,11 +214,6 @@ vtkSmartPointer<vtkDoubleArray> NewCellArray(vtkPolyData* data, const char* name
   return array;
 }
 }  // namespace
-
-std::string ResolvePath(const std::string& folder, const std::string& path)
-{
-  return (std::filesystem::path(folder) / path).string();
-}
 
 SceneSurfaces ReadSurfaces(const Node& scene, const Materials& materials, const std::string& folder)
 {

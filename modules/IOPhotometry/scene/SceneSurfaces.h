@@ -35,9 +35,6 @@ SceneSurfaces ReadSurfaces(const Node& scene, const Materials& materials, const 
 
 /** All surfaces in one, with the cell arrays of vtkKalosArrayNames.h; materials of 1 band are spread over all bands. */
 vtkSmartPointer<vtkPolyData> MakeSurfaceData(const std::vector<Surface>& surfaces);
-
-/** `path` as it stands if absolute, else below `folder`. */
-std::string ResolvePath(const std::string& folder, const std::string& path);
 }  // namespace kalos::scene
 
 #endif

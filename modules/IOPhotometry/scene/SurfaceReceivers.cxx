@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "SceneReceivers.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -70,15 +71,15 @@ std::pair<int, double> LongestEdge(const Triangle& t)
   return longest;
 }
 
-[[noreturn]] void FailTooMany()
+[[noreturn]] void FailTooMany(std::int64_t most)
 {
-  throw std::length_error("a longer edge: at most " + std::to_string(MaximumSurfaceReceivers) + " triangles");
+  throw std::length_error("a longer edge: " + FewerReceivers(most));
 }
 
 class Output
 {
 public:
-  Output()
+  explicit Output(std::int64_t most) : Most(most)
   {
     this->Points->SetDataTypeToDouble();
     this->Normals->SetName("Normals");
@@ -87,9 +88,9 @@ public:
 
   void Add(const Triangle& t, bool flip)
   {
-    if (this->Triangles->GetNumberOfCells() == MaximumSurfaceReceivers)
+    if (this->Triangles->GetNumberOfCells() >= this->Most)
     {
-      FailTooMany();
+      FailTooMany(this->Most);
     }
     const Vector3 area = Cross(Subtract(t[1], t[0]), Subtract(t[2], t[0]));
     const Vector3 normal = Scale((flip ? -1.0 : 1.0) / Norm(area), area);
@@ -112,13 +113,14 @@ public:
   }
 
 private:
+  std::int64_t Most;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Triangles;
   vtkNew<vtkDoubleArray> Normals;
 };
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> MakeSurfaceReceivers(const Mesh& mesh, double edgeLength, bool flip)
+vtkSmartPointer<vtkPolyData> MakeSurfaceReceivers(const Mesh& mesh, double edgeLength, bool flip, std::int64_t most)
 {
   // No triangle is larger than the equilateral one: tell before the work what cannot work.
   double area = 0.0;
@@ -126,12 +128,12 @@ vtkSmartPointer<vtkPolyData> MakeSurfaceReceivers(const Mesh& mesh, double edgeL
   {
     area += Norm(mesh.Area(p));
   }
-  if (area > 0.433 * edgeLength * edgeLength * static_cast<double>(MaximumSurfaceReceivers))
+  if (area > 0.433 * edgeLength * edgeLength * static_cast<double>(most))
   {
-    FailTooMany();
+    FailTooMany(most);
   }
 
-  Output output;
+  Output output(most);
   for (std::size_t p = 0; p < mesh.NumberOfPolygons(); ++p)
   {
     std::vector<Triangle> work = Triangulate(mesh, p);

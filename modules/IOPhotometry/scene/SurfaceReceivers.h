@@ -9,13 +9,11 @@
 
 namespace kalos::scene
 {
-constexpr std::int64_t MaximumSurfaceReceivers = 20000000;
-
 /**
  * Halve each triangle at its longest edge until no edge is longer than `edgeLength` (m). Cell normals are those of the
- * polygons, turned if `flip`. More than MaximumSurfaceReceivers throw std::length_error with what is expected.
+ * polygons, turned if `flip`. More than `most` triangles throw std::length_error with what is expected.
  */
-vtkSmartPointer<vtkPolyData> MakeSurfaceReceivers(const Mesh& mesh, double edgeLength, bool flip);
+vtkSmartPointer<vtkPolyData> MakeSurfaceReceivers(const Mesh& mesh, double edgeLength, bool flip, std::int64_t most);
 }  // namespace kalos::scene
 
 #endif

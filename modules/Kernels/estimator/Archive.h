@@ -38,9 +38,17 @@ public:
     std::uint64_t size = values.size();
     this->value(size);
     if (size != values.size())
-      throw std::runtime_error("an array of the checkpoint has " + std::to_string(size) + " values, expected " +
+      throw std::runtime_error("has an array of " + std::to_string(size) + " values; expected " +
                                std::to_string(values.size()));
     this->raw(values.data(), size * sizeof(T));
+  }
+
+  /// Throws std::runtime_error when more was written than was put back.
+  void finish() const
+  {
+    if (this->Next != this->Bytes.size())
+      throw std::runtime_error("has " + std::to_string(this->Bytes.size() - this->Next) +
+                               " bytes after the last value; expected none");
   }
 
 private:
@@ -54,7 +62,7 @@ private:
       return;
     }
     if (size > this->Bytes.size() - this->Next)
-      throw std::runtime_error("the checkpoint ends too early");
+      throw std::runtime_error("ends before the last value; expected all of them");
     std::memcpy(data, this->Bytes.data() + this->Next, size);
     this->Next += size;
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/Checkpoint.h"
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -58,6 +60,14 @@ void visit(Archive& archive, Done& done, Tally& tally, Estimator& estimator)
   archive.value(done.rays);
   tally.persist(archive);
   estimator.persist(archive);
+}
+// Sealed as it should be, but by no solve.
+void check(const Done& done)
+{
+  constexpr long long most = std::numeric_limits<long long>::max() / 64;
+  if (done.trajectories < 0 || done.trajectories > most || done.rays < 0 || !(done.seconds >= 0) ||
+      !std::isfinite(done.seconds) || !(done.cpuSeconds >= 0) || !std::isfinite(done.cpuSeconds))
+    throw std::runtime_error("counts what no solve can have done; expected trajectories, rays and seconds from 0 on");
 }
 }  // namespace
 
@@ -170,8 +180,17 @@ void Checkpoint::resume(const Identity& identity, Done& done, Tally& tally, Esti
   state = broadcast(this->Sharing, state);
   if (state.empty())
     return;
-  Archive archive(std::move(state));
-  visit(archive, done, tally, estimator);
+  try
+  {
+    Archive archive(std::move(state));
+    visit(archive, done, tally, estimator);
+    archive.finish();
+    check(done);
+  }
+  catch (const std::runtime_error& reason)
+  {
+    throw std::invalid_argument(this->Store->name() + ": checkpoint: " + reason.what());
+  }
   if (this->Sharing.rank() > 0)  // the first rank counts for all
   {
     done.cpuSeconds = 0;
