@@ -2,6 +2,7 @@
 """Scene files that are as they should be."""
 import math
 
+import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
@@ -121,6 +122,14 @@ def test_probe_file(tmp_path):
     assert vtk_to_numpy(data.GetPoints().GetData()).tolist() == [[1, 2, 3], [-0.001, 0, 0.5]]
     assert vtk_to_numpy(data.GetPointData().GetNormals()).tolist() == [[0, 0, 1], [1, 0, 0]]
     assert data.GetNumberOfVerts() == 2
+
+
+def test_normals_of_any_length(tmp_path):
+    scene = minimal_scene()
+    (tmp_path / "probe.csv").write_text("x,y,z,nx,ny,nz\n1,2,3,0,3e300,4e300\n1,2,3,0,3e-300,4e-300\n")
+    scene["receivers"] = [{"name": "probe", "points": "probe.csv"}]
+    normals = vtk_to_numpy(read(tmp_path, scene).GetReceivers().GetBlock(0).GetPointData().GetNormals())
+    np.testing.assert_allclose(normals, [[0, 0.6, 0.8]] * 2, atol=1e-15)
 
 
 @pytest.mark.parametrize("flip, sign", [(False, 1), (True, -1)])

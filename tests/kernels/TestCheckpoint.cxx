@@ -2,6 +2,8 @@
 // Solves that go on from a checkpoint, and checkpoints that are refused.
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "Rooms.h"
 #include "estimator/Checkpoint.h"
 #include "estimator/LuminanceImage.h"
@@ -217,6 +219,28 @@ TEST(Checkpoint, OthersAreRefusedWithTheReason)
   EXPECT_EQ(refusal(seal(other, "state"), same),
             std::string("shelf: checkpoint: was made with version 0.0.1; expected ") +
                 identify(Scene(room()), points(), {}, false)[0].second + ", or no file");
+}
+
+// With the right checksum and identity.
+TEST(Checkpoint, WhatNoSolveHasWrittenIsRefused)
+{
+  Shelf none;
+  Settings s = settings(Method::Local, none);
+  s.trajectories = 3200;
+  const Identity identity = identify(Scene(room()), points(), s, false);
+  const std::string state = unseal(checkpointOfLocal(), identity);
+  auto said = [&](const std::string& other) {
+    return refusal(seal(identity, other), [](SceneDescription&, Receivers&, Settings&) {});
+  };
+  EXPECT_EQ(said(state), "");
+  EXPECT_EQ(said(state + "x"), "shelf: checkpoint: has 1 bytes after the last value; expected none");
+  EXPECT_EQ(said(state.substr(0, state.size() - 1)),
+            "shelf: checkpoint: ends before the last value; expected all of them");
+  std::string backwards = state;
+  const long long trajectories = -1;  // the first value of a state
+  std::memcpy(&backwards[0], &trajectories, sizeof trajectories);
+  EXPECT_EQ(said(backwards),
+            "shelf: checkpoint: counts what no solve can have done; expected trajectories, rays and seconds from 0 on");
 }
 
 // Every length that is too short, and random changes of one to eight bytes, in 200 000 places with a fixed seed.
