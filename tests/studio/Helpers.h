@@ -44,7 +44,7 @@ inline void figure(const QString& what, double value, const char* unit, double g
   getloadavg(&load, 1);
   const QString line = QStringLiteral("%1: %2 %3, goal %4 %3, load %5")
                            .arg(what)
-                           .arg(value, 0, 'g', 3)
+                           .arg(value, 0, 'g', 4)
                            .arg(QString::fromUtf8(unit))
                            .arg(goal, 0, 'g', 3)
                            .arg(load, 0, 'f', 1);

@@ -54,8 +54,8 @@ public slots:
 signals:
   /// result() is newer; with many receivers, rounds that come faster than the event loop takes them are left out.
   void refined();
-  void progressed();
-  void ended();  ///< state() is one of the last three
+  void progressed();  ///< at most four times a second
+  void ended();       ///< state() is one of the last three
 
 private:
   enum class Stage

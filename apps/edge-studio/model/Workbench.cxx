@@ -100,7 +100,6 @@ void Workbench::runNext()
   this->Current = std::make_unique<Run>(this->Scene, this->Scene->receivers(this->Chosen), settings);
   this->CurrentHasResult = false;
   connect(this->Current.get(), &Run::refined, this, &Workbench::takeResult);
-  connect(this->Current.get(), &Run::progressed, this, &Workbench::runChanged);
   // The run is replaced in what follows: not while it is still emitting.
   connect(
       this->Current.get(), &Run::ended, this,

@@ -79,7 +79,7 @@ signals:
   void displayChanged();
   void resultsChanged();  ///< a result is new, newer, gone, or another one is shown
   void studyChanged();
-  void runChanged();  ///< it began, rests, goes on, progresses, ended
+  void runChanged();  ///< it began, rests, goes on, ended
   void runBegan();
   void runEnded();
   void problem(const QString& message);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws a chart: on the screen, into an image, into SVG, with the same strokes.
+// Shows a chart, and saves it.
 #ifndef studio_ChartView_h
 #define studio_ChartView_h
 
@@ -9,8 +9,6 @@
 
 namespace studio
 {
-void drawChart(QPainter& painter, const QRectF& area, const Chart& chart);
-
 class ChartView : public QWidget
 {
   Q_OBJECT

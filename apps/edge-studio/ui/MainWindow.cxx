@@ -228,7 +228,6 @@ bool MainWindow::showsImage() const
 void MainWindow::showLegend()
 {
   this->Bar->setLegend(this->showsImage() ? this->Image->legend() : this->SceneLegend);
-  this->Bar->setVisible(this->Bar->legend().colours != nullptr);
 }
 
 }  // namespace studio

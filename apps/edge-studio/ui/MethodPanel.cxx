@@ -69,7 +69,7 @@ MethodPanel::MethodPanel(Workbench* bench, QWidget* parent) : QWidget(parent), B
   connect(bench, &Workbench::runChanged, this, &MethodPanel::showRun);
   connect(bench, &Workbench::resultsChanged, this, &MethodPanel::showRun);
   connect(&this->Tick, &QTimer::timeout, this, &MethodPanel::showRun);
-  this->Tick.setInterval(200);
+  this->Tick.setInterval(250);
   this->readSettings();
   this->showRun();
 }

@@ -8,20 +8,14 @@
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellDataToPointData.h"
-#include "vtkContourFilter.h"
 #include "vtkCoordinate.h"
 #include "vtkDataArray.h"
-#include "vtkFeatureEdges.h"
 #include "vtkKalosSingularEdges.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataMapper2D.h"
 #include "vtkProperty.h"
 #include "vtkProperty2D.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkVertexGlyphFilter.h"
 
 namespace studio
 {
@@ -43,31 +37,6 @@ vtkSmartPointer<vtkPolyData> linesOf(const QVector<QVector<std::array<double, 3>
   return data;
 }
 
-/// Colours the mapper's own data by bands of luminance.
-void photograph(vtkPolyDataMapper* mapper, const QByteArray& bandsName, bool byPoint, const Exposure& exposure)
-{
-  vtkNew<vtkPolyData> data;
-  data->ShallowCopy(mapper->GetInput());
-  vtkDataSetAttributes* attributes = data->GetPointData();
-  if (!byPoint)
-    attributes = data->GetCellData();
-  vtkDataArray* bands = attributes->GetArray(bandsName.constData());
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetName("Photograph");
-  colours->SetNumberOfComponents(3);
-  colours->SetNumberOfTuples(bands->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < bands->GetNumberOfTuples(); ++i)
-  {
-    double rgb[3];
-    bands->GetTuple(i, rgb);
-    colours->SetTypedTuple(i, photographicColour(rgb, exposure).data());
-  }
-  attributes->AddArray(colours);
-  mapper->SetInputData(data);
-  mapper->SelectColorArray(colours->GetName());
-  mapper->SetColorModeToDirectScalars();
-  mapper->InterpolateScalarsBeforeMappingOff();
-}
 }  // namespace
 
 ScenePainter::ScenePainter()
@@ -95,15 +64,7 @@ void ScenePainter::setPixelRatio(double ratio)
 
 vtkSmartPointer<vtkActor> ScenePainter::addLines(vtkPolyData* lines, double width)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(lines);
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -20);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetLineWidth(static_cast<float>(width * this->PixelRatio));
-  actor->PickableOff();
+  const auto actor = lineActor(lines, width * this->PixelRatio);
   this->Renderer->AddActor(actor);
   return actor;
 }
@@ -113,7 +74,7 @@ void ScenePainter::setScene(const ScenePtr& scene)
   this->Scene = scene;
   this->Renderer->RemoveAllViewProps();
   this->Renderer->AddActor2D(this->Divider);
-  this->Receivers.clear();
+  this->Receivers.setScene(scene);
 
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(scene->surfaces());
@@ -143,16 +104,9 @@ void ScenePainter::setScene(const ScenePtr& scene)
   this->mark({});
 }
 
-void ScenePainter::clearReceivers()
-{
-  for (const auto& actor : this->Receivers)
-    this->Renderer->RemoveActor(actor);
-  this->Receivers.clear();
-}
-
 void ScenePainter::paint(const Picture& picture, const Display& display)
 {
-  this->clearReceivers();
+  this->Receivers.clear();
   if (!this->Scene)
     return;
   bool surfaces = false;
@@ -162,7 +116,10 @@ void ScenePainter::paint(const Picture& picture, const Display& display)
       continue;
     const bool painted = set.name == SceneDocument::paintedName();
     surfaces = surfaces || painted;
-    this->addReceivers(painted ? this->onShape(set.data, picture).Get() : set.data, picture, display.smooth);
+    vtkSmartPointer<vtkDataSet> shape = set.data;
+    if (painted)
+      shape = this->onShape(set.data, picture);
+    this->Receivers.add({set.name, shape}, picture, display.smooth, this->PixelRatio);
   }
   this->Shape->SetVisibility(!surfaces && !display.hidden.contains(SceneDocument::paintedName()));
   this->Edges->SetVisibility(display.edges);
@@ -185,92 +142,6 @@ vtkSmartPointer<vtkDataSet> ScenePainter::onShape(vtkDataSet* receivers, const P
   array->GetTuples(painted.standIns, all);
   shape->GetCellData()->AddArray(all);
   return shape;
-}
-
-void ScenePainter::addReceivers(vtkDataSet* data, const Picture& picture, bool smooth)
-{
-  const QByteArray name = picture.array.toUtf8();
-  vtkNew<vtkPolyDataMapper> mapper;
-  const bool ofPoints = data->GetPointData()->HasArray(name.constData());
-  if (ofPoints)
-  {
-    vtkNew<vtkVertexGlyphFilter> vertices;
-    vertices->SetInputData(data);
-    vertices->Update();
-    mapper->SetInputData(vertices->GetOutput());
-  }
-  else if (smooth || !picture.isolines.isEmpty())
-  {
-    vtkNew<vtkCellDataToPointData> interpolated;
-    interpolated->SetInputData(data);
-    interpolated->ProcessAllArraysOff();
-    interpolated->AddCellDataArray(name.constData());
-    interpolated->Update();
-    if (!picture.isolines.isEmpty())
-      this->addIsolines(vtkDataSet::SafeDownCast(interpolated->GetOutput()), picture);
-    mapper->SetInputData(smooth ? vtkPolyData::SafeDownCast(interpolated->GetOutput())
-                                : vtkPolyData::SafeDownCast(data));
-    mapper->SetInterpolateScalarsBeforeMapping(smooth);
-  }
-  else
-    mapper->SetInputData(vtkPolyData::SafeDownCast(data));
-  const bool byPoint = ofPoints || smooth;
-  byPoint ? mapper->SetScalarModeToUsePointFieldData() : mapper->SetScalarModeToUseCellFieldData();
-  mapper->SelectColorArray(name.constData());
-  if (picture.exposure)
-    photograph(mapper, name, byPoint, *picture.exposure);
-  else
-  {
-    mapper->SetLookupTable(picture.colours);
-    mapper->UseLookupTableScalarRangeOn();
-  }
-
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetPointSize(static_cast<float>(7 * this->PixelRatio));
-  const bool plane = ofPoints || data->GetNumberOfCells() == 0 || data->GetCellType(0) != VTK_TRIANGLE;
-  actor->GetProperty()->SetBackfaceCulling(!plane);
-  if (plane)
-  {
-    // A calculation plane may lie on a surface: it is what one wants to see there.
-    mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -6);
-  }
-  if (plane && !ofPoints)
-    this->addBorder(data);
-  this->Renderer->AddActor(actor);
-  this->Receivers << actor;
-}
-
-void ScenePainter::addIsolines(vtkDataSet* points, const Picture& picture)
-{
-  vtkNew<vtkContourFilter> contours;
-  contours->SetInputData(points);
-  contours->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS,
-                                   picture.array.toUtf8().constData());
-  for (int i = 0; i < picture.isolines.size(); ++i)
-    contours->SetValue(i, picture.isolines[i]);
-  contours->Update();
-  const auto actor = this->addLines(contours->GetOutput(), 1.2);
-  actor->GetMapper()->ScalarVisibilityOff();
-  actor->GetProperty()->SetColor(1, 1, 1);
-  this->Receivers << actor;
-}
-
-// A plane hides what is below it: its border says that it is one.
-void ScenePainter::addBorder(vtkDataSet* plane)
-{
-  vtkNew<vtkFeatureEdges> border;
-  border->SetInputData(plane);
-  border->FeatureEdgesOff();
-  border->NonManifoldEdgesOff();
-  border->ColoringOff();
-  border->Update();
-  const auto actor = this->addLines(border->GetOutput(), 1.2);
-  actor->GetMapper()->ScalarVisibilityOff();
-  actor->GetProperty()->SetColor(0.75, 0.77, 0.8);
-  this->Receivers << actor;
 }
 
 void ScenePainter::mark(const QVector<QVector<std::array<double, 3>>>& lines)

@@ -4,13 +4,12 @@
 #define studio_ScenePainter_h
 
 #include <QVector>
-#include <optional>
 
 #include "Display.h"
+#include "Picture.h"
+#include "ReceiverActors.h"
 #include "SceneDocument.h"
-#include "ToneMapping.h"
 #include "vtkActor2D.h"
-#include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 
@@ -18,16 +17,6 @@ class vtkActor;
 
 namespace studio
 {
-/// One array of a data object in colours.
-struct Picture
-{
-  vtkSmartPointer<vtkDataObject> data;
-  QString array;
-  vtkSmartPointer<vtkLookupTable> colours;
-  QVector<double> isolines;
-  std::optional<Exposure> exposure;  ///< the array has linear red, green and blue, to be shown as a photograph
-};
-
 class ScenePainter
 {
 public:
@@ -49,17 +38,13 @@ public:
   void setDivider(bool shown) { this->Divider->SetVisibility(shown); }
 
 private:
-  void clearReceivers();
-  void addReceivers(vtkDataSet* data, const Picture& picture, bool smooth);
   vtkSmartPointer<vtkDataSet> onShape(vtkDataSet* receivers, const Picture& picture) const;
-  void addIsolines(vtkDataSet* points, const Picture& picture);
-  void addBorder(vtkDataSet* plane);
   vtkSmartPointer<vtkActor> addLines(vtkPolyData* lines, double width);
 
   ScenePtr Scene;
   double PixelRatio = 1;
   vtkNew<vtkRenderer> Renderer;
-  QVector<vtkSmartPointer<vtkActor>> Receivers;
+  ReceiverActors Receivers{this->Renderer};
   vtkNew<vtkActor2D> Divider;
   vtkSmartPointer<vtkActor> Shape, Edges, Contacts, Luminaires, Marks;
 };

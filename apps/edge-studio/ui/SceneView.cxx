@@ -86,8 +86,7 @@ void SceneView::mark(const QVector<QVector<Point>>& lines)
 
 void SceneView::setCaptions(const QString& left, const QString& right)
 {
-  this->Captions[0]->setText(left);
-  this->Captions[1]->setText(right);
+  this->CaptionTexts = {left, right};
   this->placeCaptions();
 }
 
@@ -98,7 +97,8 @@ void SceneView::placeCaptions()
   for (int i = 0; i < 2; ++i)
   {
     QLabel* caption = this->Captions[i];
-    caption->setMaximumWidth(std::max(1, static_cast<int>(share[i] * this->width()) - 8));
+    const int room = static_cast<int>(share[i] * this->width()) - 24;
+    caption->setText(caption->fontMetrics().elidedText(this->CaptionTexts[i], Qt::ElideRight, std::max(1, room)));
     caption->adjustSize();
     caption->move(static_cast<int>(middle[i] * this->width()) - caption->width() / 2, 6);
     caption->setVisible(!caption->text().isEmpty());

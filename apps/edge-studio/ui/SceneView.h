@@ -72,6 +72,7 @@ private:
   ScenePtr Scene;
   ScenePainter First, Second, Aside;
   std::array<QLabel*, 2> Captions;
+  std::array<QString, 2> CaptionTexts;
   double FieldOfView = 45;  // degrees, across the smaller side
   std::shared_ptr<const Picking> Targets;
   Layout Mode = Layout::Single;
