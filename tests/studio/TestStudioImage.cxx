@@ -50,7 +50,8 @@ private slots:
     vtkImageData* image = this->Window->bench()->image().data();
     QCOMPARE(image->GetDimensions()[1], 128);
     // Low in the middle, where the side of a box that the lamp does not reach fills the view.
-    const vtkIdType floor = 128 / 8 * static_cast<vtkIdType>(image->GetDimensions()[0]) + image->GetDimensions()[0] / 2;
+    const vtkIdType floor =
+        128 * 18 / 100 * static_cast<vtkIdType>(image->GetDimensions()[0]) + image->GetDimensions()[0] / 2;
     const double luminance = image->GetPointData()->GetArray("Luminance")->GetComponent(floor, 0);
     QVERIFY2(luminance > 0.5 && luminance < 40, qPrintable(QString::number(luminance)));
     this->keep("15-image");
