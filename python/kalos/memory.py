@@ -6,14 +6,14 @@ from pathlib import Path
 from kalos import arrays
 from kalos.errors import KalosError
 
-# Bytes, measured with tests/benchmarks/load.py, which draws them beside what a solve took.
-PROGRAM = 300e6  # interpreter, VTK, vertices of a round
-TRIANGLE = 700.0  # the reader's, while its triangles are repaired and searched for edges
+# Bytes, a tenth to a third more than solves took; tests/benchmarks/load.py draws both.
+PROGRAM = 200e6  # interpreter, VTK, vertices of a round
+TRIANGLE = 600.0  # the reader's, while its triangles are repaired and searched for edges
 UNPREPARED_TRIANGLE = 500.0  # the reader's, the solver's and those of the ray tracer's tree
 RECEIVER = 700.0  # geometry, results, and the columns of tables
+PIXEL = 1900.0  # likewise, with what lies along the line of sight
+LUMINAIRE = 1000.0
 SUM = 8.0  # a number per receiver and replicate
-PIXEL = 200.0
-LUMINAIRE = 5000.0
 REPLICATES = 32  # at most
 
 
@@ -21,7 +21,8 @@ def demand(triangles, receivers=0, luminaires=0, pixels=0, bands=1, preparing=Tr
     """Bytes that a process takes at most which solves so much; pixels are of the largest image."""
     sums = SUM * REPLICATES * (2 + 2 * bands)  # scores, direct scores, corrections, largest scores
     return (PROGRAM + triangles * (TRIANGLE if preparing else UNPREPARED_TRIANGLE) + luminaires * LUMINAIRE
-            + receivers * RECEIVER + pixels * PIXEL + max(receivers, pixels) * (sums + 2 * SUM * REPLICATES))
+            + receivers * (RECEIVER + 2 * SUM * REPLICATES)  # estimates of the replicates, for errors of means
+            + pixels * PIXEL + max(receivers, pixels) * sums)
 
 
 def available(root=Path("/")):

@@ -74,7 +74,8 @@ struct Subject
     catch (const std::invalid_argument& reason)
     {
       const std::string text = reason.what();
-      require(text.compare(0, store.name().size(), store.name()) == 0 && text.find("expected") != std::string::npos);
+      require(text.compare(0, store.name().size(), store.name()) == 0 && text.find("expected") != std::string::npos &&
+              text.find('\n') == std::string::npos);
       return false;
     }
     require(done.trajectories >= 0 && done.seconds >= 0);

@@ -243,6 +243,16 @@ TEST(Checkpoint, WhatNoSolveHasWrittenIsRefused)
             "shelf: checkpoint: counts what no solve can have done; expected trajectories, rays and seconds from 0 on");
 }
 
+// A message is one line, whatever bytes were sealed.
+TEST(Checkpoint, MessagesQuoteNoControlCharacters)
+{
+  const std::string version(1, '\0');
+  EXPECT_EQ(refusal(seal({{"version", version + "\r\x1b[2J" + std::string(100, 'x')}}, "state"),
+                    [](SceneDescription&, Receivers&, Settings&) {}),
+            "shelf: checkpoint: was made with version ???[2J" + std::string(54, 'x') + "; expected " +
+                identify(Scene(room()), points(), {}, false)[0].second + ", or no file");
+}
+
 // Every length that is too short, and random changes of one to eight bytes, in 200 000 places with a fixed seed.
 TEST(Checkpoint, DamagedOnesAreRefused)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/Checkpoint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -61,6 +62,15 @@ void visit(Archive& archive, Done& done, Tally& tally, Estimator& estimator)
   tally.persist(archive);
   estimator.persist(archive);
 }
+// Fit for a message of one line, whatever bytes it has.
+std::string quotable(std::string text)
+{
+  text = text.substr(0, 60);
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c > 126; }, '?');
+  return text;
+}
+
 // Sealed as it should be, but by no solve.
 void check(const Done& done)
 {
@@ -151,7 +161,7 @@ std::string unseal(const std::string& bytes, const Identity& expected)
     if (name == "scene" || name == "receivers")
       refuse("belongs to another " + std::string(name == "scene" ? "scene" : "set of receivers") +
              "; expected one of this solve, or no file");
-    refuse("was made with " + name + " " + found + "; expected " + value + ", or no file");
+    refuse("was made with " + name + " " + quotable(found) + "; expected " + value + ", or no file");
   }
   return state;
 }
