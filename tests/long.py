@@ -34,7 +34,7 @@ SECTIONS = (
     ("meshing", "meshing and its filters under address and undefined-behaviour sanitizers", ["tests/meshing/sanitize"]),
     ("threads", "kernels under the thread sanitizer", ["tests/sanitized", "tsan", QUICK]),
     ("tidy", "clang-tidy on the kernels", ["tests/tidy"]),
-    ("mutations", "every mutation is caught", ["tests/mutate"]),
+    ("mutations", "every mutation of the kernels is caught", ["tests/mutate", "tests/kernels/"]),
 )
 
 
