@@ -4,8 +4,8 @@
 // The stand-in of a point is its intensity or, for a measured one, a bound of it (photometry/CandelaBound.h), times
 // cos / d^2: no angle, no table of candela. A rectangle that is not near is the point in its middle, but shines as soon
 // as any of it is above the horizon. So the stand-in is positive wherever light may come from, and what is drawn by it
-// and weighed by the chance of that is unbiased. Vector code (Highway) of the same bits on every instruction set, about
-// a nanosecond for each measured luminaire; asking all their tables took 80.
+// and weighed by the chance of that is unbiased. Vector code (Highway) of the same bits on every instruction set: on an
+// AMD EPYC (AVX2) 4 to 5 ns for each measured luminaire, beside 100 for a look-up in its table.
 #ifndef kalos_estimator_LuminaireChoice_h
 #define kalos_estimator_LuminaireChoice_h
 
