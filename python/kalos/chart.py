@@ -77,7 +77,8 @@ def find_truth(scene, room, count, out, folder):
             values = case.truth(room.points, room.normals)
             return Truth(values, np.zeros(len(values)), "closed form"), None
     found, name = find_reference(room, count, out, folder)
-    return Truth(found.values, found.standard_error, f"{int(found.trajectories)} trajectories of {REFERENCE_METHOD}"), name
+    source = f"{int(found.trajectories)} trajectories of {REFERENCE_METHOD}"
+    return Truth(found.values, found.standard_error, source, found.mean_error or 0.0), name
 
 
 def climb(contender, truth, budget, seed):

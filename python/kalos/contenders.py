@@ -18,7 +18,7 @@ from kalos.receivers import from_dataset
 from kalos.sight import camera_rays, first_faces, normals_towards
 from kalos.solve import camera_names, illuminance, luminance_image, receiver_names
 from kalos.subject import Estimate, Subject
-from kalos.summary import audit, field_value, trajectories
+from kalos.summary import audit, error_of, field_value, trajectories
 
 PEERS = dict(zip(NAMES, (Mitsuba, Radiance, CachedRadiance)))
 LEAST = 32  # trajectories: one per replicate
@@ -51,7 +51,11 @@ class Room(Subject):
         self.receivers = [from_dataset("receivers", output if one else output.GetBlock(i)) for i in self.chosen]
         return Estimate(self.joined("illuminance"), self.joined("standard_error"), None, trajectories(output),
                         field_value(output, arrays.SOLVE_SECONDS), field_value(output, arrays.SOLVE_CPU_SECONDS),
-                        field_value(output, arrays.RAYS), self.joined("direct"), tuple(audit(output)))
+                        field_value(output, arrays.RAYS), self.joined("direct"), tuple(audit(output)), self.mean_error())
+
+    def mean_error(self):
+        means = self.joined("replicates").mean(axis=0)
+        return error_of(means) / means.mean() if means.mean() > 0 else None
 
     def joined(self, name):
         return np.concatenate([getattr(one, name) for one in self.receivers])

@@ -16,6 +16,7 @@ class Truth:
     values: np.ndarray
     standard_error: np.ndarray
     source: str  # in words
+    mean_error: float = 0.0  # of the mean over the values, relative
 
     @property
     def lit(self):
@@ -54,14 +55,14 @@ def bias(estimates, efforts, truth):
     with its standard error, and the error that 95 % of the receivers stay below.
 
     Noise is taken out of the latter as if both were normal; `noise` is what it was, for one who wonders whether there is
-    anything left. The truth's own error is in it, but not in that of the mean, of which it is not known.
+    anything left. The truth's own error is in both.
     """
     values, weights = np.asarray(estimates)[:, truth.lit], np.asarray(efforts, float) / np.sum(efforts)
     known, freedom = truth.values[truth.lit], len(weights) - 1
     means = values.mean(axis=1) / known.mean() - 1
     off = weights @ means
     # An estimate's variance falls as its effort: of unit weight, the spread; of the weighed mean, the same.
-    off_error = np.sqrt(weights @ (means - off) ** 2 / freedom)
+    off_error = np.sqrt(weights @ (means - off) ** 2 / freedom + truth.mean_error**2)
     pooled = weights @ values
     square = np.mean(weights @ (values - pooled) ** 2 / freedom / known**2) + truth.noise("value") ** 2
     p95, noise = np.percentile(np.abs(pooled / known - 1), 95), stats.norm.isf(0.025) * np.sqrt(square)

@@ -55,7 +55,8 @@ def find_reference(subject, count, out, folder):
     name = f"reference-{subject.digest(REFERENCE_METHOD, count, kalos.__version__)}.npz"
     try:
         with np.load(out / name) as file:
-            return Estimate(file["values"], file["standard_error"], None, *file["effort"].tolist()), name
+            mean_error = float(file["mean_error"]) if "mean_error" in file.files else None
+            return Estimate(file["values"], file["standard_error"], None, *file["effort"].tolist(), mean_error=mean_error), name
     except FileNotFoundError:
         pass
     except (OSError, ValueError, KeyError) as error:
@@ -63,7 +64,8 @@ def find_reference(subject, count, out, folder):
                          "remove it") from None
     found = subject.solve(Options(method=REFERENCE_METHOD, trajectories=count, seed=REFERENCE_SEED), "reference")
     np.savez(folder / name, values=found.values, standard_error=found.standard_error,
-             effort=[found.trajectories, found.seconds, found.cpu_seconds])
+             effort=[found.trajectories, found.seconds, found.cpu_seconds],
+             **({} if found.mean_error is None else {"mean_error": found.mean_error}))
     return found, name
 
 

@@ -26,6 +26,7 @@ class Estimate:
     rays: float = None
     direct: np.ndarray = None  # lx, straight from the emitters, where the filter tells
     audit: tuple = ()  # what was modelled and why
+    mean_error: float = None  # standard error of the mean over all values, over that mean, where the filter tells
 
 
 class Subject:

@@ -8,7 +8,7 @@ from kalos.chart_picture import curves, style
 from kalos.pictures import DPI, GREY
 
 COLUMNS, WIDTH, HEIGHT = 3, 11.0, 2.75  # inches, of the page and of a row of charts
-SHOWN = (0.15, 30.0)  # %
+SHOWN = (0.05, 30.0)  # %
 TOLD = ("2 %", "1 %")  # errors whose ratio to the best peer is written down
 
 
@@ -38,18 +38,19 @@ def draw(path, rows, of, goals):
 
 
 def tell(axes, result, found, styles, goals):
-    """The ratios to the best peer, in the corner that curves leave free."""
+    """The ratios to the best peer, in the lower left corner, where the curves do not come."""
     own = [one["name"] for one in result["contenders"] if not one["peer"]]
     if not any(ratio for name in own for _, _, ratio in found[name]):
         return
+    top = 0.06 + 0.085 * len(own)
     for i, goal in enumerate(("", *TOLD)):
-        x = 0.72 + 0.13 * i - 0.13
+        x = 0.26 + 0.14 * i
         if goal:
-            axes.text(x, 0.93, goal, transform=axes.transAxes, fontsize=7.5, color=GREY, ha="right", va="center")
+            axes.text(x, top, goal, transform=axes.transAxes, fontsize=7.5, color=GREY, ha="right", va="center")
         for k, name in enumerate(own):
-            y, color = 0.93 - 0.085 * (k + 1), styles[name]["color"]
+            y, color = top - 0.085 * (k + 1), styles[name]["color"]
             if not goal:
-                axes.text(x, y, name, transform=axes.transAxes, fontsize=8, color=color, ha="right", va="center")
+                axes.text(0.03, y, name, transform=axes.transAxes, fontsize=8, color=color, va="center")
                 continue
             ratio = found[name][goals.index(goal)][2]
             axes.text(x, y, f"{ratio:.2g}×" if ratio else "–", transform=axes.transAxes, fontsize=8, color=color, ha="right",
@@ -60,7 +61,7 @@ def finish(axes, bottom, left):
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_ylim(*SHOWN)
-    axes.set_yticks([0.2, 0.5, 1, 2, 5, 10, 20])
+    axes.set_yticks([0.1, 0.2, 0.5, 1, 2, 5, 10, 20])
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.yaxis.set_minor_formatter(NullFormatter())
     axes.xaxis.set_major_locator(LogLocator(base=10, numticks=12))

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Errors against a truth, and times to an error on a log-log curve."""
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -59,6 +61,8 @@ def test_bias_is_what_runs_have_in_common():
     assert found["mean"] == pytest.approx(np.average(own, weights=truth.values) - 1, abs=5 * found["mean_error"])
     assert 0 < found["mean_error"] < 1e-3
     assert found["p95"] == pytest.approx(0.0436, abs=5 * 0.00064) and found["p95_noise"] == pytest.approx(1.96 * 0.1 / np.sqrt(168), rel=0.03)
+    known = replace(truth, mean_error=0.01)
+    assert bias(runs, efforts, known)["mean_error"] == pytest.approx(np.hypot(found["mean_error"], 0.01))
     unbiased = bias([truth.values * (1 + 0.1 * rng.normal(size=4000)) for _ in range(4)], [1] * 4, truth)
     assert unbiased["p95"] < 0.5 * unbiased["p95_noise"] and abs(unbiased["mean"]) < 6 * unbiased["mean_error"]
 
