@@ -29,7 +29,7 @@ SECTIONS = (
     ("kills", "50 SIGKILLs, each resumed to bitwise the same numbers",
      ["env", "KALOS_KILLS=50", f"KALOS={ROOT}/build/bin/kalos", PYTHON, "-m", "pytest", "-q", "-s", "-p", "no:cacheprovider",
       "tests/command/test_checkpoint.py", "-k", "killed"]),
-    ("fuzz", "photometric files, two minutes", ["tests/fuzz/run", "120"]),
+    ("fuzz", "every reader, half a minute each", ["tests/fuzz/run", "30"]),
     ("sanitizers", "kernels under address and undefined-behaviour sanitizers", ["tests/sanitized", "asan", QUICK]),
     ("meshing", "meshing and its filters under address and undefined-behaviour sanitizers", ["tests/meshing/sanitize"]),
     ("threads", "kernels under the thread sanitizer", ["tests/sanitized", "tsan", QUICK]),
