@@ -152,13 +152,14 @@ TEST(BlackRoom, IsDirectLightAlone)
   }
 }
 
-// Slope of the root mean square error over the trajectories, 64 seeds each from 512 to 16384: -0.5 for independent
-// sampling within 0.08 (about 4 standard errors), and steeper for Sobol's points. Minutes: tests/run --long slopes.
+// Slope of the error over the trajectories, 64 seeds each from 512 to 16384: -0.5 for independent sampling within 0.08
+// (about 4 standard errors), and steeper by more than that for Sobol's points. In a nearly black room, where the first
+// directions carry the noise: of long walks the points make the error smaller, not its slope.
 TEST(SampleStream, DISABLED_ErrorSlopes)
 {
-  const Scene scene(rooms::furnace(0.6, 100));
+  const Scene scene(rooms::litRoom(0.02));
   Receivers receivers;
-  receivers.points = {{0, 2.5, 2.5}, {2.5, 0.5, 0}, {0.3, 2.5, 5}};
+  receivers.points = {{0, 2.5, 2.5}, {2.5, 1.5, 0}, {2.3, 3, 5}};
   receivers.normals = {{1, 0, 0}, {0, 0, 1}, {0, 0, -1}};
   double slopes[2];
   for (const Sampling sampling : {Sampling::Independent, Sampling::Sobol})
@@ -166,19 +167,28 @@ TEST(SampleStream, DISABLED_ErrorSlopes)
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (long long trajectories = 512; trajectories <= 16384; trajectories *= 2, ++n)
     {
-      double squares = 0;
-      for (std::uint64_t seed = 1; seed <= 64; ++seed)
+      constexpr int seeds = 64;
+      double sums[3] = {}, squares = 0;
+      for (std::uint64_t seed = 1; seed <= seeds; ++seed)
       {
         Settings settings;
+        settings.method = Method::Local;
         settings.trajectories = trajectories;
         settings.seed = seed;
         settings.sampling = sampling;
-        for (const double e : solve(scene, receivers, settings).illuminance)
-          squares += (e - 250) * (e - 250) / (64 * 3);
+        const Result result = solve(scene, receivers, settings);
+        for (int r = 0; r < 3; ++r)
+        {
+          sums[r] += result.illuminance[r];
+          squares += result.illuminance[r] * result.illuminance[r];
+        }
       }
+      for (const double sum : sums)
+        squares -= sum * sum / seeds;
+      squares /= 3 * (seeds - 1);
       const double x = std::log(static_cast<double>(trajectories)), y = 0.5 * std::log(squares);
-      std::printf("%s, %lld trajectories: %.3f lx of 250\n", sampling == Sampling::Sobol ? "Sobol" : "independent",
-                  trajectories, std::exp(y));
+      std::printf("%s, %lld trajectories: %.4f lx of %.1f\n", sampling == Sampling::Sobol ? "Sobol" : "independent",
+                  trajectories, std::exp(y), sums[0] / seeds);
       sx += x;
       sy += y;
       sxx += x * x;
@@ -189,5 +199,5 @@ TEST(SampleStream, DISABLED_ErrorSlopes)
     slopes[sampling == Sampling::Sobol] = slope;
   }
   EXPECT_NEAR(slopes[0], -0.5, 0.08);
-  EXPECT_LT(slopes[1], slopes[0]);
+  EXPECT_LT(slopes[1], -0.5 - 2 * 0.08);
 }
