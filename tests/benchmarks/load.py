@@ -7,7 +7,7 @@
 One number grows, the others stay as in growth.py: 100 receivers on a plane, 100 boxes in a room, one luminaire, 640
 trajectories. Each solve is a process of its own on one thread, with everything: reading the mesh from a PLY file, its repair, the
 search for singular edges, the solve, tables and pictures. Time is processor time, memory the most that the process held. The
-exponents are slopes through the last three sizes, of memory beyond the smallest scene's. Writes OUT/load.png and OUT/load.json.
+exponents are slopes through the last three sizes, of memory of what it has more than at the smallest, where that is 20 MB or more. Writes OUT/load.png and OUT/load.json.
 At the largest sizes, 10^7 triangles, 10^6 receivers, 10^4 luminaires, some minutes and some gigabytes.
 """
 import argparse
@@ -27,6 +27,8 @@ from kalos import memory
 KALOS = Path(__file__).resolve().parents[2] / "build" / "bin" / "kalos"
 SIZES = {"triangles": (10**4, 10**5, 10**6, 10**7), "receivers": (10**3, 10**4, 10**5, 10**6), "luminaires": (10, 100, 1000, 10**4)}
 COLOURS = {"triangles": "#0b5d8f", "receivers": "#c2571a", "luminaires": "#3f7f4f"}
+LABELS = {"triangles": (-2, 9, -9, "left"), "receivers": (-2, -8, 6, "right"), "luminaires": (0, 0, 7, "left")}  # point, offset, side
+GROWN = 20e6  # bytes beyond the smallest scene's that say something of growth
 
 
 def write_ply(path, points, triangles):
@@ -84,11 +86,18 @@ def grow(name, sizes):
               f"{row['predicted'] / 1e9:>10.3f}", flush=True)
     if len(rows) < 3:
         return rows, None
-    counts, least = np.array([row[name] for row in rows]), rows[0]["bytes"]
-    slopes = [growth.exponent(counts, np.array([row["seconds"] for row in rows])),
-              growth.exponent(counts[1:], np.array([max(row["bytes"] - least, 1) for row in rows[1:]]))]
-    print(f"   exponent {slopes[0]:>10.2f} {'':>10} {slopes[1]:>11.2f}\n", flush=True)
+    slopes = exponents(name, rows)
+    print(f"   exponent {slopes[0]:>10.2f} {'':>10} {'-' if slopes[1] is None else format(slopes[1], '.2f'):>11}\n", flush=True)
     return rows, slopes
+
+
+def exponents(name, rows):
+    """Of time, and of memory; None where that hardly grows."""
+    counts, more = (np.array([row[key] for row in rows], float) for key in (name, "bytes"))
+    more -= more[0]
+    grown = more > GROWN
+    return [growth.exponent(counts, np.array([row["seconds"] for row in rows])),
+            growth.exponent(counts[grown], more[grown]) if grown.sum() > 1 else None]
 
 
 def draw(path, series):
@@ -100,9 +109,11 @@ def draw(path, series):
         for axes, key, unit, slope in ((left, "seconds", 1, 0), (right, "bytes", 1e9, 1)):
             values = [row[key] / unit for row in rows]
             axes.plot(counts, values, "o-", color=COLOURS[name], linewidth=1.6, markersize=4)
-            label = name + (f", exponent {slopes[slope]:.2f}" if slopes else "")
-            axes.annotate(label, (counts[-1], values[-1]), (0, 7), textcoords="offset points", ha="right", va="bottom",
-                          color=COLOURS[name], fontsize=9)
+            label = name + (f", exponent {slopes[slope]:.2f}" if slopes and slopes[slope] is not None else "")
+            at, right_by, up_by, side = LABELS[name]
+            at = at % len(rows)
+            axes.annotate(label, (counts[at], values[at]), (right_by, up_by), textcoords="offset points", ha=side,
+                          va="bottom" if up_by > 0 else "top", color=COLOURS[name], fontsize=9)
         right.plot(counts, [row["predicted"] / 1e9 for row in rows], "--", color=COLOURS[name], linewidth=1, alpha=0.7)
     right.plot([], [], "--", color="0.5", linewidth=1, label="predicted: what a solve is refused by")
     right.legend(frameon=False, fontsize=9, loc="upper left")
