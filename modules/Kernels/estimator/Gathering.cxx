@@ -10,21 +10,16 @@ Gathering::Gathering(const Scene& scene, const Emission& emission, const Setting
       Density(scene, emission, settings.walks()),
       Shadows(shadows),
       Picks(settings.shadowEveryPair ? 0 : 1),
-      AtRayEnd{64, 64},
-      // One vertex picked from a block is as noisy as one sample, where it may be hidden. Counted as that, and from 32
-      // vertices instead of 256, it took half to nine tenths of the time to the same error in a furnace and a furnished
-      // room, at edges and behind a door. Where gather rays end counting so saved nothing.
-      InCell(shadows && this->Picks > 0 ? Block{32, 1.0 * this->Picks} : Block{256, 256}),
       Luminaires(scene, false, shadows),
       Mirrored(scene)
 {
 }
 
-double Gathering::blockShare(int trajectories, const Block& block) const
+double Gathering::blockShare(int trajectories, int blockSize) const
 {
   // One gather ray against the trajectories that a block stands for.
   const double vertices = std::max(this->Density.collisions(), this->Density.starts()) * trajectories;
-  return 1 / (trajectories * std::min(1.0, block.worth / vertices));
+  return 1 / (trajectories * std::min(1.0, blockSize / vertices));
 }
 
 bool Gathering::draw(const Sensor& sensor, SampleStream& random, Ray& ray, Bands& throughput) const
@@ -88,9 +83,9 @@ Bands Gathering::luminaireLight(const Sensor& sensor, SampleStream& random) cons
 
 Bands Gathering::indirectLight(const Sensor& sensor, const GatherPool& pool, SampleStream& random) const
 {
-  Chain chain{sensor, uniformBands(1), this->blockShare(pool.trajectories, this->InCell), true, false};
+  Chain chain{sensor, uniformBands(1), this->blockShare(pool.trajectories, cellBlock), true, false};
   Bands sum{}, unused{};
-  this->addVertexLight(sensor, pool, this->InCell, random, chain.throughput, sum);
+  this->addVertexLight(sensor, pool, cellBlock, random, chain.throughput, sum);
   this->finish(chain, pool, random, sum, unused);
   return sum;
 }
@@ -109,7 +104,7 @@ bool Gathering::advance(Chain& chain, const Ray& ray, const SurfacePoint& y, con
                         SampleStream& random, Bands& sum, Bands& emission) const
 {
   const int bands = this->Lit.bands();
-  const double later = this->blockShare(pool.trajectories, this->AtRayEnd), share = chain.share;
+  const double later = this->blockShare(pool.trajectories, rayBlock), share = chain.share;
   const Sensor& at = chain.at;
   Bands& throughput = chain.throughput;
   const bool first = chain.first;
@@ -165,7 +160,7 @@ bool Gathering::advance(Chain& chain, const Ray& ray, const SurfacePoint& y, con
   const Bands direct = this->Luminaires.sample(next, random);
   for (int b = 0; b < bands; ++b)
     sum[b] += throughput[b] * direct[b];
-  this->addVertexLight(next, pool, this->AtRayEnd, random, throughput, sum);
+  this->addVertexLight(next, pool, rayBlock, random, throughput, sum);
   if ((ray.mirror || std::isinf(share)) && this->Mirrored.any())
   {
     // Vertices lit from a point by mirrors score elsewhere at full weight, but nowhere by a mirror again.
@@ -182,14 +177,14 @@ bool Gathering::advance(Chain& chain, const Ray& ray, const SurfacePoint& y, con
   return true;
 }
 
-void Gathering::addVertexLight(const Sensor& sensor, const GatherPool& pool, const Block& block, SampleStream& random,
+void Gathering::addVertexLight(const Sensor& sensor, const GatherPool& pool, int blockSize, SampleStream& random,
                                const Bands& throughput, Bands& sum) const
 {
-  const double share = this->blockShare(pool.trajectories, block);
+  const double share = this->blockShare(pool.trajectories, blockSize);
   Bands vertices{};
-  this->scoreBlock(sensor, pool.vertices->reflected, block.size, share, random, vertices);
-  this->scoreBlock(sensor, pool.vertices->glossy, block.size, share, random, vertices);
-  this->scoreBlock(sensor, pool.vertices->emitted, block.size, share, random, vertices);
+  this->scoreBlock(sensor, pool.vertices->reflected, blockSize, share, random, vertices);
+  this->scoreBlock(sensor, pool.vertices->glossy, blockSize, share, random, vertices);
+  this->scoreBlock(sensor, pool.vertices->emitted, blockSize, share, random, vertices);
   for (int b = 0; b < this->Lit.bands(); ++b)
     sum[b] += throughput[b] * vertices[b] / pool.trajectories;
 }

@@ -50,12 +50,9 @@ public:
   Bands indirectLight(const Sensor& sensor, const GatherPool& pool, SampleStream& random) const;
 
 private:
-  // Vertices scored together, and how many gather rays they are worth in the balance with one.
-  struct Block
-  {
-    int size;
-    double worth;
-  };
+  // Vertices scored where a gather ray ends, and for an estimate that many rays share.
+  static constexpr int rayBlock = 64, cellBlock = 256;
+  static_assert(cellBlock <= VertexTile::capacity, "a block is scored as one tile");
 
   struct Ray
   {
@@ -76,8 +73,8 @@ private:
                Bands& sum, Bands& emission) const;
   void finish(Chain& chain, const GatherPool& pool, SampleStream& random, Bands& sum, Bands& emission) const;
   bool draw(const Sensor& sensor, SampleStream& random, Ray& ray, Bands& throughput) const;
-  double blockShare(int trajectories, const Block& block) const;
-  void addVertexLight(const Sensor& sensor, const GatherPool& pool, const Block& block, SampleStream& random,
+  double blockShare(int trajectories, int blockSize) const;
+  void addVertexLight(const Sensor& sensor, const GatherPool& pool, int blockSize, SampleStream& random,
                       const Bands& throughput, Bands& sum) const;
   void scoreBlock(const Sensor& sensor, const VertexSet& set, int blockSize, double share, SampleStream& random,
                   Bands& sum) const;
@@ -85,8 +82,7 @@ private:
   const Scene& Lit;
   Pilot Density;
   bool Shadows;
-  int Picks;               // shadow rays to a block; 0: to every pair
-  Block AtRayEnd, InCell;  // what is scored where a gather ray ends, and for an estimate that many rays share
+  int Picks;  // shadow rays to a block; 0: to every pair
   DirectLight Luminaires;
   MirrorImages Mirrored;
 };
