@@ -65,6 +65,7 @@ private:
   Settings Wanted;
   bool Shadows;
   Gathering Rays;
+  double LeastShare;                // gather rays per trajectory, of a sensor that gathers
   double Clearance;                 // m; sensors that are clear at this distance need no gather rays
   std::vector<double> RayShare;     // gather rays per trajectory, per sensor
   std::vector<long long> RaysDone;  // of a replicate in earlier rounds, per sensor

@@ -50,8 +50,10 @@ public:
   Bands indirectLight(const Sensor& sensor, const GatherPool& pool, SampleStream& random) const;
 
 private:
-  // Vertices scored where a gather ray ends, and for an estimate that many rays share.
-  static constexpr int rayBlock = 64, cellBlock = 256;
+  // Vertices scored where a gather ray ends, and for an estimate that many rays share. One of a block is picked for the
+  // shadow ray, so that a larger block is hardly less noisy: 16 took 7 % less time than 64 on a floor, and 20 to 40 %
+  // at a furnace's edges.
+  static constexpr int rayBlock = 16, cellBlock = 256;
   static_assert(cellBlock <= VertexTile::capacity, "a block is scored as one tile");
 
   struct Ray
