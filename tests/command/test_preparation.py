@@ -86,7 +86,8 @@ def test_receivers_gather_at_singular_edges_and_nowhere_else(furnace, command, t
     assert line["choice"] == f"at {near.sum() + 1} of {len(near) + 2} receivers"
     assert f"{near.sum() + 1} receivers at singular edges, 0 in gaps" in line["reason"]
     spared = float(line["reason"].split(" spared")[0].split()[-1])
-    assert spared == pytest.approx(3200 / 80 * (len(near) + 1 - near.sum()), rel=0.01)
+    vertices = 1 + 1 / (1 - 0.5)  # of a trajectory: a start, and collisions; a pilot measures them to some percent
+    assert spared == pytest.approx(3200 * 0.012 * np.sqrt(vertices) * (len(near) + 1 - near.sum()), rel=0.05)
 
 
 def test_a_gap_is_told_from_an_edge(furnace, command, tmp_path):

@@ -68,8 +68,8 @@ def test_parameter_study(example, tmp_path, capsys):
 def test_speed_accuracy(example, tmp_path, capsys):
     module = example("speed_accuracy", METHODS=("compensated",), BUDGET=0.1, REFERENCE=320)
     module.main(tmp_path / "out", peers=())
-    said = capsys.readouterr().out.splitlines()[-4:]
-    assert [line.split(":")[0] for line in said] == ["5 %", "2 %", "1 %", "0.5 %"]
+    said = capsys.readouterr().out.splitlines()[-5:]
+    assert [line.split(":")[0] for line in said] == ["5 %", "2 %", "1 %", "0.5 %", "0.3 %"]
     assert colours(tmp_path / "out" / "chart.png") > 50
     times = [{"label": name, "seconds_to": {"1 %": {"cpu_seconds": s}}} for name, s in (("a", None), ("b", 3.0), ("c", 2.0))]
     assert module.fastest({"contenders": times}, "1 %") == (2.0, "c")
