@@ -57,6 +57,7 @@ void writeData(const QString& path, vtkDataSet* data)
   const auto errors = ErrorCollector::watch(writer);
   writer->SetInputData(data);
   writer->SetFileName(path.toUtf8().constData());
+  writer->SetDataModeToBinary();  // as in ResultFiles.cxx
   if (!writer->Write() || !errors->message().isEmpty())
     throw Problem(QStringLiteral("%1: file: can not be written; expected a writable folder").arg(path));
 }

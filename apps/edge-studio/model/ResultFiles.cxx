@@ -27,6 +27,7 @@ void write(vtkDataObject* data, const QString& path)
   const auto errors = ErrorCollector::watch(writer);
   writer->SetInputDataObject(data);
   writer->SetFileName(path.toUtf8().constData());
+  writer->SetDataModeToBinary();  // raw appended data: VTK 9.2 can not read it with expat 2.5.0-1+deb12u2 and later
   if (!writer->Write() || !errors->message().isEmpty())
     throw Problem(QStringLiteral("%1: file: can not be written; expected a writable folder").arg(path));
 }
