@@ -26,7 +26,7 @@ constexpr double clearance = 0.08;
 // Gather rays per trajectory where a sensor gathers, over the root of the vertices that a trajectory leaves: the best
 // share goes with the root of what a trajectory costs. One share for all was too small by three to four times beside
 // the edges of a white furnace of 20 vertices per trajectory when it was right in a furnished room of 1.5.
-constexpr double leastShare = 0.012;
+constexpr double raysPerRoot = 0.012;
 
 // How often a gather ray counts in the balance heuristic. Vertices fill the open evenly and score in spikes nearby, so
 // that rays are worth more than their number where both compete: 2 took 6 to 7 % less time than 1 to the same error on
@@ -48,7 +48,6 @@ CompensatedLight::CompensatedLight(const Scene& scene, const Emission& emission,
       Wanted(settings),
       Shadows(shadows),
       Rays(scene, emission, settings, shadows),
-      LeastShare(leastShare * std::sqrt(this->Rays.pilot().collisions() + this->Rays.pilot().starts())),
       Clearance(settings.gatherEverywhere || !isDiffuse(scene) ? std::numeric_limits<double>::infinity()
                                                                : clearance * std::sqrt(scene.surfaceArea()))
 {
@@ -64,6 +63,11 @@ bool CompensatedLight::prepare(const std::vector<Sensor>& sensors, Workers& work
   });
 }
 
+double CompensatedLight::leastShare() const
+{
+  return raysPerRoot * std::sqrt(this->Rays.pilot().collisions() + this->Rays.pilot().starts());
+}
+
 double CompensatedLight::chooseRayShare(const Sensor& sensor) const
 {
   if (std::isfinite(this->Clearance) && this->Lit.clear(sensor.position, sensor.normal, this->Clearance))
@@ -76,12 +80,17 @@ double CompensatedLight::chooseRayShare(const Sensor& sensor) const
   });
   // Measured on the floor, a plane and a wall of a furnished room and along a row of points into an edge: 6 times the
   // near part took 2 to 9 % less time to the same error than 10; 20, 36 and 100 took more.
-  return this->LeastShare * (1 + 6 * near);
+  return this->leastShare() * (1 + 6 * near);
 }
 
 int CompensatedLight::rays(std::size_t r, const Round& round) const
 {
   return static_cast<int>(std::ceil(this->RayShare[r] * round.count));
+}
+
+double CompensatedLight::balance(std::size_t r, const Round& round) const
+{
+  return rayWorth * this->rays(r, round) / round.count;
 }
 
 Round CompensatedLight::trace(long long first, int count, int replicates, Workers& workers) const
@@ -110,7 +119,7 @@ void CompensatedLight::finish(const Round& round)
 void CompensatedLight::scoreVertices(const Sensor& sensor, std::size_t r, int replicate, const Round& round,
                                      bool exactMeshes, Tally& tally) const
 {
-  const double share = rayWorth * this->rays(r, round) / round.count;
+  const double share = this->balance(r, round);
   RandomStream random = receiverStream(this->Wanted.seed, replicate, Purpose::Selection, r, round.first);
   const RayScene* rays = this->Shadows ? &this->Lit.rays() : nullptr;
   auto score = [&](const VertexSet& set, double* sum) {
@@ -145,7 +154,7 @@ void CompensatedLight::scoreGathered(const Sensor& sensor, std::size_t r, int re
     return;  // vertices score everything
   const Walks walks = this->Wanted.walks().ofReceiver(r);
   const GatherPool pool{&round.pools[replicate], round.count};
-  const Gathering::Start start{rayWorth * rays / round.count, !exactMeshes};
+  const Gathering::Start start{this->balance(r, round), !exactMeshes};
   Bands sum{}, emission{};
   for (long long k = this->RaysDone[r]; k < this->RaysDone[r] + rays; ++k)
   {
@@ -180,7 +189,7 @@ AuditLine CompensatedLight::audit(int replicates, const std::vector<double>& edg
     atEdges += this->RayShare[r] > 0 && r < edgeDistances.size() && edgeDistances[r] < this->Clearance;
   }
   const std::vector<double> sent = this->raysSent(replicates);
-  const double spared = this->LeastShare * static_cast<double>(this->TrajectoriesDone) * replicates *
+  const double spared = this->leastShare() * static_cast<double>(this->TrajectoriesDone) * replicates *
                         static_cast<double>(this->RayShare.size() - gathering);
   std::ostringstream reason;
   reason << std::setprecision(3);

@@ -53,8 +53,10 @@ public:
   AuditLine audit(int replicates, const std::vector<double>& edgeDistances) const;
 
 private:
+  double leastShare() const;  // gather rays per trajectory, of a sensor that gathers
   double chooseRayShare(const Sensor& sensor) const;
   int rays(std::size_t r, const Round& round) const;
+  double balance(std::size_t r, const Round& round) const;  // gather rays per trajectory, as they count for G*
   void scoreVertices(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
                      Tally& tally) const;
   void scoreGathered(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
@@ -65,7 +67,6 @@ private:
   Settings Wanted;
   bool Shadows;
   Gathering Rays;
-  double LeastShare;                // gather rays per trajectory, of a sensor that gathers
   double Clearance;                 // m; sensors that are clear at this distance need no gather rays
   std::vector<double> RayShare;     // gather rays per trajectory, per sensor
   std::vector<long long> RaysDone;  // of a replicate in earlier rounds, per sensor

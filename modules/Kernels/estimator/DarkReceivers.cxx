@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "sampling/Sobol.h"
-#include "sampling/Warp.h"
+#include "estimator/ProbeRays.h"
 
 namespace kalos
 {
@@ -67,9 +66,7 @@ bool hasLightInSight(const Scene& scene, const Vec3& p, const Vec3& n, const std
   const Frame frame(n);
   for (int i = 0; i < rays; ++i)
   {
-    double u1, u2;
-    sobolPoint(1, static_cast<std::uint32_t>(i), u1, u2);
-    const SurfacePoint y = scene.trace(here, frame.toWorld(cosineHemisphere(u1, u2)));
+    const SurfacePoint y = scene.trace(here, probeDirection(frame, i));
     if (y.valid && seesOne(scene, scene.anchor(y.position, y.normal), emitters))
       return true;
   }
@@ -79,9 +76,8 @@ bool hasLightInSight(const Scene& scene, const Vec3& p, const Vec3& n, const std
 
 std::vector<AuditLine> auditDarkReceivers(const Scene& scene, const Receivers& receivers, const Result& result)
 {
-  const std::vector<Emitter> shining = emitters(scene);
   const std::vector<double>& values = result.illuminance;
-  if (values.empty() || shining.empty())
+  if (values.empty())
     return {};
   const double dark = rounding * *std::max_element(values.begin(), values.end());
   std::vector<std::size_t> found;
@@ -89,6 +85,9 @@ std::vector<AuditLine> auditDarkReceivers(const Scene& scene, const Receivers& r
     if (values[r] <= dark)
       found.push_back(r);
   if (found.empty())
+    return {};
+  const std::vector<Emitter> shining = emitters(scene);
+  if (shining.empty())
     return {};
 
   const std::vector<std::size_t> some = thinned(found, mostLookedAt);

@@ -9,7 +9,15 @@
 
 namespace kalos
 {
-/// Sends `count` cosine-weighted rays, the same about every normal, and calls visit(G, y) for each that ends on a
+/// Cosine-weighted direction number i about the normal of a frame, the same about every normal.
+inline Vec3 probeDirection(const Frame& frame, int i)
+{
+  double u1, u2;
+  sobolPoint(1, static_cast<std::uint32_t>(i), u1, u2);
+  return frame.toWorld(cosineHemisphere(u1, u2));
+}
+
+/// Sends `count` of these rays and calls visit(G, y) for each that ends on a
 /// surface point y, with the kernel G (1/m2) of that pair.
 template <class Visit>
 void sendProbes(const Scene& scene, const Sensor& sensor, int count, const Visit& visit)
@@ -17,9 +25,7 @@ void sendProbes(const Scene& scene, const Sensor& sensor, int count, const Visit
   const Frame frame(sensor.normal);
   for (int i = 0; i < count; ++i)
   {
-    double u1, u2;
-    sobolPoint(1, static_cast<std::uint32_t>(i), u1, u2);
-    const Vec3 direction = frame.toWorld(cosineHemisphere(u1, u2));
+    const Vec3 direction = probeDirection(frame, i);
     const SurfacePoint y = scene.trace(sensor.position, sensor.normal, direction);
     if (!y.valid)
       continue;
