@@ -56,8 +56,8 @@ def chart(scene, out, receivers=None, methods=None, peers=tuple(PEERS), relative
                 raise KalosError(f"{contender.NAME}: {absent}", FAILED) from None
             finally:
                 contender.close()
-        result = {"kalos": kalos.__version__, "scene": str(scene), "receivers": room.name, "quantity": room.quantity, "lit": int(truth.lit.sum()),
-                  "dark": int((~truth.lit).sum()), "relative_to": relative_to, "threads": threads,
+        result = {"kalos": kalos.__version__, "scene": str(scene), "receivers": room.name, "quantity": room.quantity,
+                  "lit": int(truth.lit.sum()), "dark": int((~truth.lit).sum()), "relative_to": relative_to, "threads": threads,
                   "reference": {"source": truth.source, "file": file, "rms": truth.noise(relative_to)},
                   "contenders": [{**describe(one, rows, relative_to), "bias": biases[one.NAME]} for one in contenders],
                   "steps": rows}

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""An output folder that receives all its files at the end, or none."""
+"""An output folder that receives all its files at the end, or none; and the files of VTK in it."""
 import contextlib
 import os
 import shutil
 import tempfile
 from pathlib import Path
 
-from kalos.errors import KalosError
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+from kalos.errors import KalosError, update
 
 
 @contextlib.contextmanager
@@ -45,3 +47,12 @@ def remove(folders):
     for folder in reversed(folders):
         with contextlib.suppress(OSError):
             folder.rmdir()
+
+
+def write_vtp(path, dataset):
+    """A vtkPolyData as a file that every VTK reads."""
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(str(path))
+    writer.SetDataModeToBinary()  # raw appended data: VTK 9.2 can not read it with expat 2.5.0-1+deb12u2 and later
+    writer.SetInputData(dataset)
+    update(writer, writer.Write)

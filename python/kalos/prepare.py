@@ -6,11 +6,10 @@ import os
 import tempfile
 from pathlib import Path
 
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
-
 import kalos
-from kalos.errors import KalosError, update
+from kalos.errors import KalosError
 from kalos.meshfiles import read_mesh
+from kalos.output import write_vtp
 from kalos.progress import run
 
 EDGE_CLASSES = {"concave": "CONCAVE", "contact": "CONTACT", "non-manifold": "NON_MANIFOLD"}
@@ -109,14 +108,6 @@ def sentences(facts):
                f"mean edge {done['mean edge, m']:.4g} m")
     yield "singular edges: " + ", ".join(f"{found['curves']} {name} ({found['length_m']:.4g} m)"
                                          for name, found in facts["singular_edges"].items())
-
-
-def write_vtp(name, surface):
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(name)
-    writer.SetDataModeToBinary()  # the reader of VTK 9.2 stumbles over some appended sections of small files
-    writer.SetInputData(surface)
-    update(writer, writer.Write)
 
 
 def write(path, option, save):

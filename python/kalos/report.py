@@ -7,11 +7,10 @@ from html import escape
 from pathlib import Path
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from kalos import arrays, pictures, summary
-from kalos.errors import update
 from kalos.isolux import isolux
+from kalos.output import write_vtp
 from kalos.photometry import draw_photometry, facts, read_photometry
 from kalos.plan import draw_plan
 from kalos.projection import flat_frame
@@ -73,11 +72,7 @@ def receiver_picture(folder, one):
         pictures.draw_receivers(file, one)
         return embedded(file, f"illuminance of {one.name}")
     draw_plan(file, one, flat_frame(one.points, one.normals), lines)
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(str(folder / f"{one.name}-isolux.vtp"))
-    writer.SetDataModeToBinary()
-    writer.SetInputData(lines)
-    update(writer, writer.Write)
+    write_vtp(folder / f"{one.name}-isolux.vtp", lines)
     return embedded(file, f"plan of {one.name} with isolux lines")
 
 

@@ -13,12 +13,11 @@ from kalos.estimator import Options, named_options
 from kalos.glare import rate_glare
 from kalos.hdr import write_hdr
 from kalos.memory import check_memory
-from kalos.output import staged
+from kalos.output import staged, write_vtp
 from kalos.preparation import UNPREPARED, prepare_scene
 from kalos.progress import run
 from kalos.receivers import from_dataset
 from kalos.tables import write_csv
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 MODELS = (".glb", ".gltf", ".obj")  # files that are scenes without a JSON around them
 
@@ -215,11 +214,7 @@ def write(folder, receivers, images, result):
     figures.write_json(folder / "summary.json", result)
     for one in receivers:
         write_csv(folder / f"{one.name}.csv", one)
-        writer = vtkXMLPolyDataWriter()
-        writer.SetFileName(str(folder / f"{one.name}.vtp"))
-        writer.SetDataModeToBinary()  # the reader of VTK 9.2 stumbles over some appended sections of small files
-        writer.SetInputData(one.dataset)
-        update(writer, writer.Write)
+        write_vtp(folder / f"{one.name}.vtp", one.dataset)
         pictures.draw_receivers(folder / f"{one.name}.png", one)
     for name, image in images.items():
         writer = kalos.vtkKalosEXRWriter()
