@@ -18,6 +18,18 @@ class TestStudioSession : public WindowTest
 {
   Q_OBJECT
 
+  // Starts 64 trajectories at the desk of the open scene.
+  MethodSettings runDesk()
+  {
+    Workbench* bench = this->Window->bench();
+    bench->setChosenSets({"desk"});
+    MethodSettings settings;
+    settings.trajectories = 64;
+    bench->setSettings(settings);
+    this->click("run");
+    return settings;
+  }
+
 private slots:
   void init() { this->open(); }
   void cleanup() { this->Window.reset(); }
@@ -26,14 +38,10 @@ private slots:
   {
     this->Window->openFile(this->furnace());
     Workbench* bench = this->Window->bench();
-    bench->setChosenSets({"desk"});
-    MethodSettings settings;
-    settings.trajectories = 64;
-    bench->setSettings(settings);
     Display display;
     display.scale = Scale::Logarithmic;
     bench->setDisplay(display);
-    this->click("run");
+    const MethodSettings settings = this->runDesk();
     QTRY_VERIFY(!bench->isRunning() && bench->shown() && bench->shown()->complete);
     QVERIFY2(QFileInfo(autosavePath()).isFile(), "a crash now would leave a session");
     this->Window->view()->look({"", {3, 1, 2}, {1, 1, 0}, {0, 0, 1}, 50});
@@ -130,11 +138,7 @@ private slots:
   {
     this->Window->openFile(this->furnace());
     Workbench* bench = this->Window->bench();
-    bench->setChosenSets({"desk"});
-    MethodSettings settings;
-    settings.trajectories = 64;
-    bench->setSettings(settings);
-    this->click("run");
+    this->runDesk();
     QTRY_VERIFY(!bench->isRunning() && bench->shown() && bench->shown()->complete);
     this->settle();
     const QImage image = this->Window->pictureWithLegend();
