@@ -10,9 +10,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {
   const std::string path = fuzz::write("image.exr", data, size);
-  vtkNew<vtkKalosEXRReader> reader;
-  reader->SetFileName(path.c_str());
-  if (fuzz::fails(reader))
+  static fuzz::Reading<vtkKalosEXRReader> reader;
+  if (reader.fails(path))
     return 0;
   vtkImageData* image = reader->GetOutput();
   vtkDataArray* luminance = image->GetPointData()->GetArray(vtkKalosArrayNames::Luminance);

@@ -25,9 +25,8 @@ inline void checkRange(vtkDataArray* array, double low, double below)
 /// An error and nothing, or a scene whose numbers are in range.
 inline void checkScene(const std::string& path)
 {
-  vtkNew<vtkKalosSceneReader> reader;
-  reader->SetFileName(path.c_str());
-  const bool failed = fails(reader);
+  static Reading<vtkKalosSceneReader> reader;
+  const bool failed = reader.fails(path);
   vtkPolyData* surfaces = reader->GetSurfaces();
   if (failed)
   {
