@@ -184,6 +184,7 @@ PLY = ("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty floa
     ("vertex 3", "vertex -3", "a.ply: header: a damaged element line; expected element NAME COUNT"),
     ("float x", "fleet x", "a.ply: header: a damaged property line; expected property TYPE NAME"),
     ("list uchar", "list float", "a.ply: header: a damaged property line; expected property TYPE NAME"),
+    ("end_header", "element u 5\nend_header", "a.ply: header: the element u has no properties; expected at least one"),
     (PLY[3:], "\n", "a.ply: header: ends within the header; expected end_header"),
     ("float z", "float w", "a.ply: vertex 1: vertices without x, y and z; expected all three"),
     ("vertex_indices", "corners", "a.ply: face 1: faces without the list vertex_indices; expected it"),

@@ -3,6 +3,7 @@
 """Writes the seeds of the fuzz targets: seeds.py FOLDER makes FOLDER/FuzzScene and so on."""
 import json
 import shutil
+import struct
 import sys
 from pathlib import Path
 
@@ -48,6 +49,16 @@ def models():
     yield "mtllib model.obj\nnewmtl a\nKd 0.5 0.5 0.5\nKs 1\nNs 9\nillum 3\no b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nf -1 -2 -3\n"
 
 
+def meshes():
+    head = "ply\nformat {} 1.0\ncomment c\nelement vertex 3\nproperty {} x\nproperty {} y\nproperty {} z\nelement face 1\n" \
+           "property list uchar int vertex_indices\nend_header\n"
+    yield head.format("ascii", *3 * ["float"]) + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+    corners = (0, 0, 0, 1, 0, 0, 0, 1, 0)
+    yield head.format("binary_big_endian", *3 * ["double"]).encode() + struct.pack(">9dB3i", *corners, 3, 0, 1, 2)
+    yield "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n"
+    yield bytes(80) + struct.pack("<I12fH", 1, 0, 0, 1, *corners, 0)
+
+
 def probes():
     yield "x,y,z,nx,ny,nz\n0.5,0.5,0,0,0,1\n\n1e-3,-2.5E+2,0,0,1e-300,-1e300\r\n"
     yield "x, y, z, nx, ny, nz\n 1 , 2 , 3 , 0 , 0 , .5\n"
@@ -62,7 +73,7 @@ def checkpoints():
 
 
 def main(folder):
-    for target, seeds in (("FuzzScene", scenes()), ("FuzzModel", models()), ("FuzzProbe", probes()),
+    for target, seeds in (("FuzzScene", scenes()), ("FuzzModel", models()), ("FuzzMesh", meshes()), ("FuzzProbe", probes()),
                           ("FuzzCheckpoint", checkpoints())):
         (folder / target).mkdir(parents=True, exist_ok=True)
         for i, seed in enumerate(seeds):

@@ -99,6 +99,7 @@ private:
         {
           this->Fail("no format; expected ascii, binary_little_endian or binary_big_endian");
         }
+        this->CheckElements();
         return;
       }
       if (keyword == "format")
@@ -125,6 +126,18 @@ private:
       }
     }
     this->Fail("ends within the header; expected end_header");
+  }
+
+  /** Items without properties take no bytes, so that any number of them would be read. */
+  void CheckElements() const
+  {
+    for (const Element& element : this->Elements)
+    {
+      if (element.Size > 0 && element.Properties.empty())
+      {
+        this->Fail("the element " + Quotable(element.Name) + " has no properties; expected at least one");
+      }
+    }
   }
 
   bool ReadHeaderLine(std::string& line)
