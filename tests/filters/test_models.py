@@ -404,6 +404,27 @@ def test_broken_libraries(tmp_path, mtl, message):
     assert error_of(tmp_path / "room.obj", OBJ).replace(str(tmp_path) + "/", "").startswith(message)
 
 
+def test_a_library_that_is_named_twice_is_read_once(tmp_path):
+    assert error_of(tmp_path / "room.obj", "mtllib room.mtl\n" + OBJ).endswith("library of the file (there is no room.mtl)")
+
+
+def zeros(gltf, count):
+    """Gives the floor points that stand nowhere in the file."""
+    gltf["accessors"][0].pop("bufferView")
+    gltf["accessors"][0].update(count=count)
+
+
+def many_primitives(gltf):
+    zeros(gltf, 4000000)
+    gltf["meshes"][0]["primitives"] *= 9
+
+
+def many_instances(gltf):
+    zeros(gltf, 4000000)
+    gltf["accessors"].append({"componentType": 5126, "count": 8, "type": "VEC3"})
+    gltf["nodes"][0]["extensions"] = {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 2}}}
+
+
 def spoiled(change, make=floor):
     gltf = make()
     text = json.loads(gltf.text())
@@ -439,6 +460,9 @@ def spoiled(change, make=floor):
     (lambda g: g["accessors"][0].update(count=6), "accessors[0]: 6 elements do not fit into the 48 bytes of the view"),
     (lambda g: g["accessors"][0].update(byteOffset=1 << 50), "accessors[0]: 4 elements do not fit"),
     (lambda g: g["accessors"][0].pop("bufferView"), "file: no polygons and no lights"),
+    (lambda g: zeros(g, 4000001), 'accessors[0]: 4000001 elements without a "bufferView"; expected at most 4000000'),
+    (many_primitives, "meshes[0].primitives[7]: too many triangles or points in one mesh; expected at most 10000000"),
+    (many_instances, "nodes.floor: too many triangles over all instances; expected at most 10000000"),
     (lambda g: g["bufferViews"][0].update(byteStride=4), "bufferViews[0]: a stride of 4 bytes; expected 12 to 252"),
     (lambda g: g["bufferViews"][0].update(byteLength=1000), "bufferViews[0]: ends at byte 1000 of a buffer of 60; expected"),
     (lambda g: g["bufferViews"][0].update(buffer=4), "bufferViews[0].buffer: found 4; expected the number of one of 1 buffers"),

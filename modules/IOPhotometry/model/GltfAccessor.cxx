@@ -12,6 +12,7 @@ namespace kalos::scene
 namespace
 {
 constexpr std::size_t MaximumElements = 100000000;
+constexpr std::size_t MaximumZeros = 4000000;  ///< elements that no bytes of the file stand behind
 
 template <typename T>
 double Load(const unsigned char* from)
@@ -132,8 +133,14 @@ std::vector<double> ReadVectors(const GltfFile& file, const Node& number, const 
   const std::size_t components = ComponentsOf(accessor, type);
   const std::size_t count = ReadCount(accessor.At("count"));
   const Storage storage = ReadStorage(accessor.At("componentType"));
-  std::vector<double> values = accessor.Has("bufferView") ? ReadView(file, accessor, storage, components, count)
-                                                          : std::vector<double>(count * components);
+  const bool stored = accessor.Has("bufferView");
+  if (!stored && count > MaximumZeros)
+  {
+    accessor.Fail(std::to_string(count) + " elements without a \"bufferView\"; expected at most " +
+                  std::to_string(MaximumZeros));
+  }
+  std::vector<double> values =
+      stored ? ReadView(file, accessor, storage, components, count) : std::vector<double>(count * components);
   if (const auto sparse = accessor.Find("sparse"))
   {
     Substitute(file, *sparse, storage, components, values);

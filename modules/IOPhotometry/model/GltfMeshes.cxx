@@ -119,8 +119,15 @@ void GltfMeshes::ReadPrimitive(const Node& primitive, const std::string& name, G
   }
   const auto number = primitive.Find("material");
   const std::int32_t material = number ? static_cast<std::int32_t>(this->File.Index(*number, "materials")) : -1;
+  const auto triangles = Assemble(primitive, mode, order);
+  if (mesh.Triangles.size() + triangles.size() > MaximumTriangles ||
+      mesh.Points.size() + points.size() > 3 * MaximumTriangles)
+  {
+    primitive.Fail("too many triangles or points in one mesh; expected at most " + std::to_string(MaximumTriangles) +
+                   " triangles with three points each");
+  }
   const auto first = static_cast<std::uint32_t>(mesh.Points.size());
-  for (const auto& t : Assemble(primitive, mode, order))
+  for (const auto& t : triangles)
   {
     mesh.Triangles.push_back({first + t[0], first + t[1], first + t[2]});
     mesh.MaterialOf.push_back(material);

@@ -14,6 +14,8 @@
 
 namespace kalos::scene
 {
+constexpr std::size_t MaximumTriangles = 10000000;  ///< of a mesh, and over all instances; with three points for each
+
 /** Triangles of one mesh in its own coordinates; MaterialOf counts the file's materials, -1 for none. */
 struct GltfMesh
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GltfModel.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "GltfFile.h"
@@ -13,8 +14,6 @@ namespace kalos::scene
 {
 namespace
 {
-constexpr std::size_t MaximumTriangles = 10000000;  ///< over all instances
-
 /** Walks the nodes of a scene and gathers what hangs on them. */
 class Walk
 {
@@ -89,13 +88,14 @@ private:
     {
       this->Found.Count("skinned meshes", part.Name, "in their resting pose", "nothing moves here");
     }
-    for (const Transform& instance : ReadInstances(this->File, node))
+    const std::vector<Transform> instances = ReadInstances(this->File, node);
+    this->Count += instances.size() * std::max(source.Triangles.size(), source.Points.size() / 3);
+    if (this->Count > MaximumTriangles)
     {
-      this->Count += source.Triangles.size();
-      if (this->Count > MaximumTriangles)
-      {
-        node.Fail("too many triangles over all instances; expected at most " + std::to_string(MaximumTriangles));
-      }
+      node.Fail("too many triangles over all instances; expected at most " + std::to_string(MaximumTriangles));
+    }
+    for (const Transform& instance : instances)
+    {
       this->AddTriangles(source, world * instance, part);
     }
     if (part.Polygons.NumberOfPolygons() > 0)

@@ -78,7 +78,7 @@ private:
     }
     else if (keyword == "mtllib")
     {
-      this->Result.Libraries.push_back(Rest(words));
+      Number(this->Result.Libraries, this->Libraries, Rest(words));
     }
     else if (keyword == "o" || keyword == "g")
     {
@@ -159,6 +159,7 @@ private:
 
   const std::string& Path;
   ObjFile Result;
+  std::map<std::string, std::size_t> Libraries;
   std::map<std::string, std::size_t> Materials;
   std::map<std::string, std::size_t> Objects{{"", 0}};
   std::int32_t Material = -1;
