@@ -4,6 +4,7 @@
 For true 95 % intervals the share leaves that range with probability 0.01 (binomial, 200 trials).
 """
 import numpy as np
+import pytest
 from scipy import stats
 
 from kalos import truths
@@ -13,11 +14,12 @@ from kalos.validate import DATA, REPLICATES, solve_receivers
 SEEDS = 200
 
 
-def test_intervals_cover_the_truth():
+@pytest.mark.parametrize("without", [(), ("paths",)])  # paths alone, and vertices with gather rays
+def test_intervals_cover_the_truth(without):
     truth = truths.white_furnace(0.6, 100)
     covered = []
     for seed in range(1, SEEDS + 1):
-        probe, = solve_receivers(DATA / "furnace" / "furnace.json", Options(trajectories=4096, seed=seed))
+        probe, = solve_receivers(DATA / "furnace" / "furnace.json", Options(trajectories=4096, seed=seed, without=without))
         half_width = stats.t.isf(0.025, REPLICATES - 1) * probe.standard_error
         covered.append(np.abs(probe.illuminance - truth) <= half_width)
     share = np.mean(covered, axis=0)  # per receiver

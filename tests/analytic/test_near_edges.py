@@ -15,6 +15,7 @@ from kalos.estimator import Options
 from kalos.validate import DATA, FALSE_ALARM, judge, solve_receivers
 
 FURNACES = {"near-edge": 0.6, "near-edge-95": 0.95, "angles": 0.6}
+WITHOUT = ((), ("paths",))  # what finds the light of a furnace by itself, and vertices with gather rays
 SEED = 21
 
 
@@ -26,28 +27,30 @@ def distances():
     return make.DISTANCES
 
 
-def solved(scene, trajectories, seed):
+def solved(scene, trajectories, seed, without):
     """Values and standard errors, a pair for each receiver set."""
-    sets = solve_receivers(DATA / "furnace" / f"{scene}.json", Options(trajectories=trajectories, seed=seed))
+    sets = solve_receivers(DATA / "furnace" / f"{scene}.json", Options(trajectories=trajectories, seed=seed, without=without))
     return [(one.illuminance, one.standard_error) for one in sets]
 
 
+@pytest.mark.parametrize("without", WITHOUT)
 @pytest.mark.parametrize("scene", FURNACES)
-def test_compensated_is_exact_at_every_distance(scene):
+def test_compensated_is_exact_at_every_distance(scene, without):
     truth = truths.white_furnace(FURNACES[scene], 100)
-    estimate, error = (np.concatenate(values) for values in zip(*solved(scene, 128000, SEED)))
+    estimate, error = (np.concatenate(values) for values in zip(*solved(scene, 128000, SEED, without)))
     verdict = judge(estimate, error, np.full(len(estimate), truth), 0.03)
     print(f"seed {SEED}: {verdict}")
     assert verdict.worst <= verdict.allowed
     assert verdict.error <= verdict.precision, "too noisy to tell anything"
 
 
+@pytest.mark.parametrize("without", WITHOUT)
 @pytest.mark.parametrize("scene", FURNACES)
-def test_compensated_is_right_on_average(scene):
+def test_compensated_is_right_on_average(scene, without):
     """Each set's mean over 12 seeds: one number a seed, so that receivers of one solve may depend on each other."""
     truth = truths.white_furnace(FURNACES[scene], 100)
     seeds = range(SEED, SEED + 12)
-    means = np.array([[values.mean() for values, _ in solved(scene, 32000, seed)] for seed in seeds])
+    means = np.array([[values.mean() for values, _ in solved(scene, 32000, seed, without)] for seed in seeds])
     error = means.std(axis=0, ddof=1) / np.sqrt(len(seeds))
     deviation = np.abs(means.mean(axis=0) - truth) / error
     print(f"seeds {seeds.start} to {seeds.stop - 1}: {deviation} standard errors of {error / truth}")

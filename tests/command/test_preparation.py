@@ -70,7 +70,8 @@ def test_receivers_gather_at_singular_edges_and_nowhere_else(furnace, command, t
     text = json.loads(scene.read_text())
     text["receivers"].append({"name": "walls", "surface": "room", "edge_length": 0.06})
     scene.write_text(json.dumps(text))
-    status, printed, error = command("solve", scene, "--out", tmp_path / "out", "--trajectories", 3200)
+    status, printed, error = command("solve", scene, "--out", tmp_path / "out", "--trajectories", 3200,
+                                     "--without", "paths")
     assert status == 0, error
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(str(tmp_path / "out" / "walls.vtp"))
@@ -97,7 +98,7 @@ def test_a_gap_is_told_from_an_edge(furnace, command, tmp_path):
     text["surfaces"].append({"name": "shelf", "quad": {"origin": [0.4, 0.4, 0.05], "u": [0.2, 0, 0], "v": [0, 0.2, 0]},
                              "material": "left"})
     scene.write_text(json.dumps(text))
-    _, audit = solve(command, scene, tmp_path / "out")
+    _, audit = solve(command, scene, tmp_path / "out", "--without", "paths")
     assert audit["gather rays"] == "at 2 of 2 receivers"
     reason = [entry["reason"] for entry in json.loads((tmp_path / "out" / "summary.json").read_text())["audit"]
               if entry["subject"] == "gather rays"]

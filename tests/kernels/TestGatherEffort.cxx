@@ -48,6 +48,7 @@ std::string gatheringReceivers(const Result& result)
 Settings settings(bool everywhere, std::uint64_t seed)
 {
   Settings s;
+  s.alwaysVertices = true;  // in furnaces, too
   s.trajectories = 65536;
   s.gatherEverywhere = everywhere;
   s.seed = seed;

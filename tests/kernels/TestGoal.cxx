@@ -99,6 +99,7 @@ TEST(Goal, SaysWhatWasMissedAndWhy)
   receivers.points = {{2.5, 2.5, 0}, {0.5, 0.5, 0}};
   receivers.normals.assign(2, {0, 0, 1});
   Settings s;
+  s.alwaysVertices = true;  // in furnaces, too
   s.relativeError = 1e-4;
   s.trajectories = 512;
   const Result result = solve(scene, receivers, s);
@@ -120,6 +121,7 @@ TEST(Goal, IntervalsCoverTheTruthWhenTheErrorStopsTheSolve)
     receivers.normals.push_back({0, 0, 1});
   }
   Settings s;
+  s.alwaysVertices = true;  // in furnaces, too
   s.relativeError = 0.04;
   const int seeds = 200;
   int covered = 0, rounds = 0;

@@ -26,6 +26,7 @@ Receivers points()
 Settings settings(Method method, long long trajectories = 6400)
 {
   Settings s;
+  s.alwaysVertices = true;  // in furnaces, too
   s.method = method;
   s.trajectories = trajectories;
   s.epsilon = 0.5;

@@ -113,6 +113,7 @@ TEST(SampleStream, SobolLeavesTheMeanAndLowersTheVariance)
     for (int seed = 1; seed <= seeds; ++seed)
     {
       Settings settings;
+      settings.alwaysVertices = true;  // in furnaces, too
       settings.trajectories = 8192;
       settings.seed = static_cast<std::uint64_t>(seed);
       settings.sampling = sampling;

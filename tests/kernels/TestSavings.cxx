@@ -26,10 +26,23 @@ SceneDescription panelRoom(bool empty)
   return room;
 }
 
-// Receivers in the open, in the panel's half-shadow and 2 mm from an edge.
-Result solveRoom(bool empty, const std::string& without, std::uint64_t seed)
+enum class Kind
 {
-  const Scene scene(panelRoom(empty));
+  Furnished,
+  Empty,
+  Luminous
+};
+
+// Where a saving saves.
+Kind roomFor(const std::string& saving)
+{
+  return saving == "convex" ? Kind::Empty : saving == "paths" ? Kind::Luminous : Kind::Furnished;
+}
+
+// Receivers in the open, in the panel's half-shadow and 2 mm from an edge.
+Result solveRoom(Kind kind, const std::string& without, std::uint64_t seed)
+{
+  const Scene scene(kind == Kind::Luminous ? rooms::furnace(0.5, 100) : panelRoom(kind == Kind::Empty));
   Receivers receivers;
   receivers.points = {{3.75, 1.2, 2}, {0.9, 2.2, 0}, {0.002, 2.5, 0}, {2.5, 1.25, 2.5}, {4.6, 4.6, 1}};
   receivers.normals.assign(receivers.points.size(), {0, 0, 1});
@@ -46,13 +59,13 @@ struct Mean
   double value = 0, variance = 0;
 };
 
-std::vector<Mean> meanOverSeeds(bool empty, const std::string& without, std::uint64_t firstSeed)
+std::vector<Mean> meanOverSeeds(Kind kind, const std::string& without, std::uint64_t firstSeed)
 {
   constexpr int seeds = 16;
   std::vector<Mean> means(5);
   for (int i = 0; i < seeds; ++i)
   {
-    const Result result = solveRoom(empty, without, firstSeed + i);
+    const Result result = solveRoom(kind, without, firstSeed + i);
     for (std::size_t r = 0; r < means.size(); ++r)
     {
       means[r].value += result.illuminance[r] / seeds;
@@ -72,8 +85,8 @@ class Savings : public testing::TestWithParam<const char*>
 TEST_P(Savings, MoveNoMean)
 {
   const std::string name = GetParam();
-  const bool empty = name == "convex";
-  const std::vector<Mean> with = meanOverSeeds(empty, "", 100), without = meanOverSeeds(empty, name, 200);
+  const Kind kind = roomFor(name);
+  const std::vector<Mean> with = meanOverSeeds(kind, "", 100), without = meanOverSeeds(kind, name, 200);
   for (std::size_t r = 0; r < with.size(); ++r)
   {
     const double error = std::sqrt(with[r].variance + without[r].variance);
@@ -86,19 +99,20 @@ TEST_P(Savings, MoveNoMean)
 TEST_P(Savings, ChangeTheWork)
 {
   const std::string name = GetParam();
-  const bool empty = name == "convex";
-  const Result with = solveRoom(empty, "", 1), without = solveRoom(empty, name, 1);
-  if (empty)
+  const Kind kind = roomFor(name);
+  const Result with = solveRoom(kind, "", 1), without = solveRoom(kind, name, 1);
+  if (kind == Kind::Empty)
     for (std::size_t r = 0; r < with.illuminance.size(); ++r)  // its shadow rays find nothing
       EXPECT_NEAR(with.illuminance[r], without.illuminance[r], 1e-5 * with.illuminance[r]);
   else
     EXPECT_NE(with.illuminance, without.illuminance) << "other random numbers or weights";
   const bool ofRays = name != "stratified" && name != "exact-direct";
   EXPECT_EQ(without.rays > with.rays, ofRays) << without.rays << " against " << with.rays;
-  EXPECT_EQ(with.direct != without.direct, name == "exact-direct" || name == "stratified");
+  EXPECT_EQ(with.direct != without.direct, name == "exact-direct" || name == "stratified" || name == "paths");
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, Savings, testing::Values("stratified", "picked", "convex", "near", "exact-direct"),
+INSTANTIATE_TEST_SUITE_P(Each, Savings,
+                         testing::Values("stratified", "picked", "convex", "near", "paths", "exact-direct"),
                          [](const auto& tested) {
                            std::string name = tested.param;
                            std::replace(name.begin(), name.end(), '-', '_');
@@ -118,7 +132,8 @@ TEST(SavingNames, AreListedWhenOneIsWrong)
   }
   catch (const std::invalid_argument& error)
   {
-    EXPECT_STREQ(error.what(),
-                 "without: 'walls' is no saving, expected some of stratified, picked, convex, near, exact-direct");
+    EXPECT_STREQ(
+        error.what(),
+        "without: 'walls' is no saving, expected some of stratified, picked, convex, near, paths, exact-direct");
   }
 }

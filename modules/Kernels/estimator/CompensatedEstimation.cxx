@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/CompensatedEstimation.h"
 
+#include "estimator/PathTrial.h"
+
 namespace kalos
 {
 CompensatedEstimation::CompensatedEstimation(const Scene& scene, const Receivers& receivers, const Settings& settings)
-    : Source(scene),
+    : Lit(scene),
+      Wanted(settings),
+      Source(scene),
       Direct(scene, receivers, settings),
       Light(scene, this->Source, settings, this->Direct.shadows()),
       EdgeDistances(receivers.edgeDistances)
@@ -14,8 +18,17 @@ CompensatedEstimation::CompensatedEstimation(const Scene& scene, const Receivers
 bool CompensatedEstimation::prepare(Workers& workers, Tally& tally)
 {
   this->Replicates = tally.replicates();
-  return this->Direct.prepare(workers, tally) &&
-         (this->Direct.complete() || this->Light.prepare(this->Direct.sensors(), workers));
+  if (!this->Direct.prepare(workers, tally))
+    return false;
+  if (this->Direct.complete())
+    return true;
+  if (pathsAreBetter(this->Lit, this->Source, this->Wanted, this->Direct))
+  {
+    this->Light.goAlone();
+    this->Direct.leaveMeshesToRays();
+    this->Direct.prepare(workers, tally);
+  }
+  return this->Light.prepare(this->Direct.sensors(), workers);
 }
 
 bool CompensatedEstimation::addRound(long long first, int count, Workers& workers, Tally& tally)
@@ -53,6 +66,8 @@ std::vector<AuditLine> CompensatedEstimation::audit() const
 {
   std::vector<AuditLine> lines = this->Direct.audit();
   lines.push_back({"kernel", "compensated", "bounded and unbiased; more gather rays where surfaces are near"});
+  if (this->Light.gathering().alone())
+    lines.push_back(auditPaths());
   if (!this->Direct.complete())
     lines.push_back(this->Light.audit(this->Replicates, this->EdgeDistances));
   return lines;

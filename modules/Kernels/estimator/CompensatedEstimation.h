@@ -31,6 +31,8 @@ public:
   std::vector<AuditLine> audit() const override;
 
 private:
+  const Scene& Lit;
+  Settings Wanted;
   Emission Source;
   DirectPart Direct;
   CompensatedLight Light;

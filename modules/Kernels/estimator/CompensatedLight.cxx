@@ -70,6 +70,8 @@ double CompensatedLight::leastShare() const
 
 double CompensatedLight::chooseRayShare(const Sensor& sensor) const
 {
+  if (this->Rays.alone())
+    return this->leastShare();
   if (std::isfinite(this->Clearance) && this->Lit.clear(sensor.position, sensor.normal, this->Clearance))
     return 0;
   // The part of its hemisphere that a receiver sees so near that 100 trajectories leave no vertex in the area 1/G.
@@ -90,13 +92,13 @@ int CompensatedLight::rays(std::size_t r, const Round& round) const
 
 double CompensatedLight::balance(std::size_t r, const Round& round) const
 {
-  return rayWorth * this->rays(r, round) / round.count;
+  return this->Rays.alone() ? std::numeric_limits<double>::infinity() : rayWorth * this->rays(r, round) / round.count;
 }
 
 Round CompensatedLight::trace(long long first, int count, int replicates, Workers& workers) const
 {
-  Round round{first, count,
-              traceRound(this->Lit, this->Source, this->Wanted.walks(), replicates, first, count, workers)};
+  const auto trace = this->Rays.alone() ? traceSome : traceRound;
+  Round round{first, count, trace(this->Lit, this->Source, this->Wanted.walks(), replicates, first, count, workers)};
   if (!workers.forEach(round.pools.size(), [&](std::size_t p) { this->Rays.pilot().annotate(round.pools[p]); }))
     round.pools.clear();
   return round;
@@ -105,7 +107,8 @@ Round CompensatedLight::trace(long long first, int count, int replicates, Worker
 void CompensatedLight::score(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
                              Tally& tally) const
 {
-  this->scoreVertices(sensor, r, replicate, round, exactMeshes, tally);
+  if (!this->Rays.alone())
+    this->scoreVertices(sensor, r, replicate, round, exactMeshes, tally);
   this->scoreGathered(sensor, r, replicate, round, exactMeshes, tally);
 }
 
@@ -193,14 +196,16 @@ AuditLine CompensatedLight::audit(int replicates, const std::vector<double>& edg
                         static_cast<double>(this->RayShare.size() - gathering);
   std::ostringstream reason;
   reason << std::setprecision(3);
-  if (std::isfinite(this->Clearance))
+  if (this->Rays.alone())
+    reason << "they find all light; ";
+  else if (std::isfinite(this->Clearance))
     reason << "where surfaces in front weigh as much as a wall within " << this->Clearance << " m; ";
   else
     reason << (this->Wanted.gatherEverywhere ? "as was asked for; "
                                              : "surfaces that are not diffuse are seen by them; ");
   reason << std::llround(std::accumulate(sent.begin(), sent.end(), 0.0)) << " rays, " << std::llround(spared)
          << " spared elsewhere";
-  if (std::isfinite(this->Clearance) && edgeDistances.size() == this->RayShare.size())
+  if (!this->Rays.alone() && std::isfinite(this->Clearance) && edgeDistances.size() == this->RayShare.size())
     reason << "; " << atEdges << " receivers at singular edges, " << gathering - atEdges << " in gaps";
   return {"gather rays",
           "at " + std::to_string(gathering) + " of " + std::to_string(this->RayShare.size()) + " receivers",

@@ -26,6 +26,9 @@ public:
 
   const Gathering& gathering() const { return this->Rays; }
 
+  /// From now on no vertex scores: gather rays find all light (Gathering::goAlone). Before prepare().
+  void goAlone() { this->Rays.goAlone(); }
+
   /// Decides how much each sensor gathers. Returns false when aborted.
   bool prepare(const std::vector<Sensor>& sensors, Workers& workers);
 

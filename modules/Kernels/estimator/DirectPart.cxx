@@ -38,8 +38,8 @@ DirectPart::DirectPart(const Scene& scene, const Receivers& receivers, const Set
       Found(auditFor(scene, receivers, settings)),
       ClosedForms(!this->Sampled && this->Found.emittingTriangles <= largestExact &&
                   this->Found.emittingTriangles * receivers.points.size() <= largestViews),
-      Direct(scene, this->ClosedForms, this->shadows() || this->Sampled),
-      Luminaires(scene, false, this->shadows()),
+      Exact(scene, this->ClosedForms, this->shadows() || this->Sampled),
+      Luminaires(scene, false, this->shadows() || this->Sampled),
       Mirrored(scene)
 {
   this->Sensors.reserve(receivers.points.size());
@@ -69,7 +69,7 @@ bool DirectPart::prepare(Workers& workers, Tally& tally)
       if (this->Sensors[r].brdf)
         continue;
       DirectLight::View& view = this->Views[r];
-      this->Direct.look(this->Sensors[r], view);
+      this->direct().look(this->Sensors[r], view);
       this->measureVisibility(r);
       for (int b = 0; b < tally.bands(); ++b)
         tally.fixed(r)[b] += view.points[b] + view.visibleShare * view.areas[b];
@@ -81,7 +81,7 @@ void DirectPart::measureVisibility(std::size_t r)
 {
   if (this->Sampled)
     this->Views[r].visibleShare = 0;
-  if (this->Sampled || !this->Direct.fluctuates())
+  if (this->Sampled || !this->direct().fluctuates())
     return;
   constexpr int pilot = 16, pilotReplicate = 1 << 20;  // no estimate uses it
   const Walks walks = this->Drawn.ofReceiver(r);
@@ -92,16 +92,16 @@ void DirectPart::measureVisibility(std::size_t r)
   for (int s = 0; s < pilot; ++s)
   {
     SampleStream random = walks.stream(pilotReplicate, Purpose::DirectLight, s);
-    visible += this->Direct.sampleAreas(this->Sensors[r], view, random, w);
+    visible += this->direct().sampleAreas(this->Sensors[r], view, random, w);
   }
   view.visibleShare = visible / pilot;
 }
 
-void DirectPart::score(std::size_t r, int replicate, long long first, int count, Tally& tally) const
+Bands DirectPart::fluctuation(std::size_t r, int replicate, long long first, int count) const
 {
   const Sensor& sensor = this->Sensors[r];
-  if (!sensor.brdf && !this->Direct.fluctuates())
-    return;
+  if (!sensor.brdf && !this->direct().fluctuates())
+    return {};
   const int samples = (count + trajectoriesPerShadow - 1) / trajectoriesPerShadow;
   const Walks walks = this->Drawn.ofReceiver(r);
   Bands sum{};
@@ -111,7 +111,7 @@ void DirectPart::score(std::size_t r, int replicate, long long first, int count,
     {
       SampleStream random = walks.stream(replicate, Purpose::DirectLight, first + s);
       const Bands e = this->Luminaires.sample(sensor, random);
-      for (int b = 0; b < tally.bands(); ++b)
+      for (int b = 0; b < this->Lit.bands(); ++b)
         sum[b] += e[b];
     }
   }
@@ -122,16 +122,23 @@ void DirectPart::score(std::size_t r, int replicate, long long first, int count,
     {
       SampleStream random = walks.stream(replicate, Purpose::DirectLight, first + s);
       Bands w;
-      const double excess = this->Direct.sampleAreas(sensor, view, random, w);
-      for (int b = 0; b < tally.bands(); ++b)
+      const double excess = this->direct().sampleAreas(sensor, view, random, w);
+      for (int b = 0; b < this->Lit.bands(); ++b)
         sum[b] += w[b] * excess;
     }
   }
+  for (int b = 0; b < this->Lit.bands(); ++b)
+    sum[b] *= static_cast<double>(count) / samples;
+  return sum;
+}
+
+void DirectPart::score(std::size_t r, int replicate, long long first, int count, Tally& tally) const
+{
+  const Bands light = this->fluctuation(r, replicate, first, count);
   for (int b = 0; b < tally.bands(); ++b)
   {
-    const double weighted = sum[b] * count / samples;  // as much weight as the round's trajectories
-    tally.total(r, replicate)[b] += weighted;
-    tally.direct(r, replicate)[b] += weighted;
+    tally.total(r, replicate)[b] += light[b];
+    tally.direct(r, replicate)[b] += light[b];
   }
 }
 
@@ -222,11 +229,14 @@ std::vector<AuditLine> DirectPart::audit() const
   if (this->Mirrored.any())
     lines.push_back(this->auditMirrors());
   if (this->Found.emittingTriangles)
-    lines.push_back(
-        {"emitting triangles",
-         std::to_string(this->Found.emittingTriangles) +
-             (this->ClosedForms ? ", polygon formula" : ", trajectory starts"),
-         this->ClosedForms ? "only what hides it is sampled" : "too many for a closed form at every receiver"});
+    lines.push_back({"emitting triangles",
+                     std::to_string(this->Found.emittingTriangles) + (this->ClosedForms  ? ", polygon formula"
+                                                                      : this->MeshesSeen ? ", met by paths"
+                                                                                         : ", trajectory starts"),
+                     this->ClosedForms  ? "only what hides it is sampled"
+                     : this->MeshesSeen ? "paths from the receivers alone find all light"
+                     : this->Sampled    ? "as was asked for"
+                                        : "too many for a closed form at every receiver"});
   return lines;
 }
 }  // namespace kalos

@@ -23,11 +23,21 @@ public:
   /// triangles for closed forms, or the receiver is glossy.
   bool exactMeshes(std::size_t receiver) const { return this->ClosedForms && !this->Sensors[receiver].brdf; }
 
+  /// Emitting meshes are no part of this light from now on: rays of the receivers see them.
+  void leaveMeshesToRays()
+  {
+    this->ClosedForms = false;
+    this->MeshesSeen = true;
+  }
+
   /// There is no light but this: nothing reflects, and all emission is known in closed form.
   bool complete() const { return !this->Found.reflects && this->ClosedForms; }
 
   /// Fills the fixed part of the tally: all that does not fluctuate. Returns false when aborted.
   bool prepare(Workers& workers, Tally& tally);
+
+  /// What fluctuates, for a round of `count` trajectories; lx times these, per band.
+  Bands fluctuation(std::size_t receiver, int replicate, long long first, int count) const;
 
   /// Adds what fluctuates, for a round of trajectories [first, first + count): the visibility of area emitters, or the
   /// whole direct light of a glossy receiver.
@@ -39,6 +49,7 @@ public:
   std::vector<AuditLine> audit() const;
 
 private:
+  const DirectLight& direct() const { return this->ClosedForms ? this->Exact : this->Luminaires; }
   void measureVisibility(std::size_t receiver);
   AuditLine auditOpenings() const;
   AuditLine auditMirrors() const;
@@ -47,8 +58,8 @@ private:
   Walks Drawn;
   bool Sampled;  // no closed forms of areas
   Audit Found;
-  bool ClosedForms;
-  DirectLight Direct;      // luminaires, and meshes where closed forms serve
+  bool ClosedForms, MeshesSeen = false;
+  DirectLight Exact;       // luminaires, and meshes where closed forms serve
   DirectLight Luminaires;  // luminaires only
   MirrorImages Mirrored;
   std::vector<Sensor> Sensors;

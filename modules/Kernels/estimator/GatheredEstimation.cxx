@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "estimator/GatherPattern.h"
+#include "estimator/PathTrial.h"
 #include "estimator/VertexRound.h"
 
 namespace kalos
@@ -45,6 +46,12 @@ bool GatheredEstimation::prepare(Workers& workers, Tally& tally)
 {
   this->Replicates = tally.replicates();
   this->Checks.assign(tileCount(tally.receivers()) * tally.replicates(), {});
+  if (!this->Direct.prepare(workers, tally))
+    return false;
+  if (this->Direct.complete() || !pathsAreBetter(this->Lit, this->Source, this->Wanted, this->Direct))
+    return true;
+  this->Rays.goAlone();
+  this->Direct.leaveMeshesToRays();
   return this->Direct.prepare(workers, tally);
 }
 
@@ -59,8 +66,9 @@ bool GatheredEstimation::addRound(long long first, int count, Workers& workers, 
     return true;  // a dark scene
   if (this->Direct.complete())
     return this->Direct.scoreAll(first, count, workers, tally);
+  const auto trace = this->Rays.alone() ? traceSome : traceRound;
   std::vector<VertexPool> pools =
-      traceRound(this->Lit, this->Source, this->Wanted.walks(), this->Replicates, first, count, workers);
+      trace(this->Lit, this->Source, this->Wanted.walks(), this->Replicates, first, count, workers);
   if (!workers.forEach(pools.size(), [&](std::size_t p) { this->Rays.pilot().annotate(pools[p]); }) || pools.empty())
     return false;
   tally.noteEnergy(pools);
@@ -306,6 +314,8 @@ std::vector<AuditLine> GatheredEstimation::audit() const
   amount << std::showpos << std::setprecision(2) << scale * bias.mean << " +- " << std::noshowpos
          << scale * bias.standardError << " %";
   lines.push_back({"kernel", "gathered", "fast, with a bias that falls with the width of its cells"});
+  if (this->Rays.alone())
+    lines.push_back(auditPaths());
   lines.push_back({"cells", cells.str(), share.str()});
   lines.push_back({"bias", amount.str(), "of the gathered light, measured by rays that share no estimate"});
   return lines;

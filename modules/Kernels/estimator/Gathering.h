@@ -25,6 +25,10 @@ public:
 
   const Pilot& pilot() const { return this->Density; }
 
+  /// From now on rays meet no vertices: all light is found by paths that end late, estimator/PathTrial.h.
+  void goAlone() { this->Alone = true; }
+  bool alone() const { return this->Alone; }
+
   struct Start
   {
     double share;       ///< gather rays of the sensor per trajectory that scores at it; infinite: no vertex does
@@ -75,7 +79,7 @@ private:
                Bands& sum, Bands& emission) const;
   void finish(Chain& chain, const GatherPool& pool, SampleStream& random, Bands& sum, Bands& emission) const;
   bool draw(const Sensor& sensor, SampleStream& random, Ray& ray, Bands& throughput) const;
-  double blockShare(int trajectories, int blockSize) const;
+  double blockShare(int trajectories, int blockSize) const;  // infinite when alone
   void addVertexLight(const Sensor& sensor, const GatherPool& pool, int blockSize, SampleStream& random,
                       const Bands& throughput, Bands& sum) const;
   void scoreBlock(const Sensor& sensor, const VertexSet& set, int blockSize, double share, SampleStream& random,
@@ -83,7 +87,7 @@ private:
 
   const Scene& Lit;
   Pilot Density;
-  bool Shadows;
+  bool Shadows, Alone = false;
   int Picks;  // shadow rays to a block; 0: to every pair
   DirectLight Luminaires;
   MirrorImages Mirrored;

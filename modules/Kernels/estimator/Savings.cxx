@@ -21,6 +21,7 @@ const Saving savings[] = {
     {"picked", [](const Settings& s) { return s.shadowEveryPair; }, [](Settings& s) { s.shadowEveryPair = true; }},
     {"convex", [](const Settings& s) { return s.shadowConvexRooms; }, [](Settings& s) { s.shadowConvexRooms = true; }},
     {"near", [](const Settings& s) { return s.gatherEverywhere; }, [](Settings& s) { s.gatherEverywhere = true; }},
+    {"paths", [](const Settings& s) { return s.alwaysVertices; }, [](Settings& s) { s.alwaysVertices = true; }},
     {"exact-direct", [](const Settings& s) { return s.sampleDirect; }, [](Settings& s) { s.sampleDirect = true; }},
 };
 }  // namespace

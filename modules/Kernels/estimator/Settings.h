@@ -46,6 +46,7 @@ struct Settings
   bool gatherEverywhere = false;   ///< gather rays where nothing is near, too
   bool shadowEveryPair = false;    ///< a shadow ray for every pair that scores
   bool shadowConvexRooms = false;  ///< shadow rays where nothing can occlude
+  bool alwaysVertices = false;     ///< vertices score where paths from the receivers alone are better, too
   bool sampleDirect = false;       ///< area emitters are sampled, not known in closed form
 
   const Ranks* ranks = nullptr;  ///< processes that share the solve; null: this one alone

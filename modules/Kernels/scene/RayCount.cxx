@@ -42,12 +42,22 @@ struct Counter
     registry().counters.erase(this);
   }
 };
+Counter& ownCounter()
+{
+  static thread_local Counter counter;
+  return counter;
+}
 }  // namespace
 
 void countRays(int rays)
 {
-  static thread_local Counter counter;
+  Counter& counter = ownCounter();
   counter.rays.store(counter.rays.load(std::memory_order_relaxed) + rays, std::memory_order_relaxed);
+}
+
+long long raysOfThisThread()
+{
+  return ownCounter().rays.load(std::memory_order_relaxed);
 }
 
 long long raysTraced()

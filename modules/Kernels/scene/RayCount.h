@@ -10,6 +10,9 @@ void countRays(int rays);
 
 /// Rays of all threads since the program started; exact while none of them traces.
 long long raysTraced();
+
+/// Rays that this thread has traced.
+long long raysOfThisThread();
 }  // namespace kalos
 
 #endif

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/PathTrial.h"
+
+#include <numeric>
+
+#include "estimator/CompensatedLight.h"
+#include "scene/RayCount.h"
+
+namespace kalos
+{
+namespace
+{
+constexpr double luminousShare = 0.1;  // of the scene's area: below, no trial is worth its time
+constexpr std::size_t mostReceivers = 8;
+constexpr int replicates = 8, trajectories = 32;  // each
+constexpr int unusedReplicate = (1 << 20) + 1;    // and beyond: of direct light, in no estimate
+constexpr double pairsPerRay = 40;                // scored in the time of a ray
+
+bool isLuminous(const Scene& scene)
+{
+  double area = 0;
+  for (std::uint32_t t = 0; t < scene.data().triangles.size(); ++t)
+    if (photometric(scene.material(t).exitance, scene.bands()) > 0)
+      area += 0.5 * length(cross(scene.corner(t, 1) - scene.corner(t, 0), scene.corner(t, 2) - scene.corner(t, 0)));
+  return area >= luminousShare * scene.surfaceArea();
+}
+
+struct Found
+{
+  double rays = 0;                   // or what takes as long, per receiver
+  std::vector<MeanAndError> values;  // of the receivers that were tried
+
+  // What time goes with, to the same errors. Not relative to each value: a few paths do not tell these.
+  double effort() const
+  {
+    return this->rays * std::accumulate(this->values.begin(), this->values.end(), 0.0, [](double sum, MeanAndError v) {
+             return sum + v.standardError * v.standardError;
+           });
+  }
+};
+
+class Trial
+{
+public:
+  Trial(const Scene& scene, const Emission& emission, const Settings& settings, const DirectPart& direct)
+      : Lit(scene), Direct(direct), Light(scene, emission, settings, direct.shadows())
+  {
+    const std::size_t all = direct.sensors().size(), some = std::min(all, mostReceivers);
+    for (std::size_t i = 0; i < some; ++i)
+    {
+      this->Tried.push_back((2 * i + 1) * all / (2 * some));
+      this->Sensors.push_back(direct.sensors()[this->Tried.back()]);
+    }
+  }
+
+  Found byVertices() { return this->run(false); }
+
+  Found byPaths()
+  {
+    this->Light.goAlone();
+    return this->run(true);
+  }
+
+private:
+  Found run(bool paths)
+  {
+    const Ranks alone;
+    Workers workers(1, {}, alone);  // on this thread, which counts its rays
+    Tally tally(this->Lit, this->Sensors.size(), replicates);
+    this->Light.prepare(this->Sensors, workers);
+    const long long start = raysOfThisThread();
+    const Round round = this->Light.trace(0, trajectories, replicates, workers);
+    const long long traced = raysOfThisThread();
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < this->Sensors.size(); ++i)
+      for (int replicate = 0; replicate < replicates; ++replicate)
+      {
+        const std::size_t r = this->Tried[i];
+        const bool exactMeshes = !paths && this->Direct.exactMeshes(r);
+        this->Light.score(this->Sensors[i], i, replicate, round, exactMeshes, tally);
+        if (paths)
+          continue;
+        const Bands direct = this->Direct.fluctuation(r, unusedReplicate + replicate, 0, trajectories);
+        for (int b = 0; b < tally.bands(); ++b)
+          tally.total(i, replicate)[b] += direct[b];
+        const VertexPool& pool = round.pools[replicate];
+        pairs += pool.reflected.size() + pool.glossy.size() + (exactMeshes ? 0 : pool.emitted.size());
+      }
+    Found found;
+    found.rays = static_cast<double>(traced - start) / static_cast<double>(this->Direct.sensors().size()) +
+                 (static_cast<double>(raysOfThisThread() - traced) + static_cast<double>(pairs) / pairsPerRay) /
+                     static_cast<double>(this->Sensors.size());
+    for (std::size_t i = 0; i < this->Sensors.size(); ++i)
+      found.values.push_back(tally.summary(i, trajectories));
+    return found;
+  }
+
+  const Scene& Lit;
+  const DirectPart& Direct;
+  CompensatedLight Light;
+  std::vector<std::size_t> Tried;  // receivers
+  std::vector<Sensor> Sensors;     // of these
+};
+}  // namespace
+
+bool pathsAreBetter(const Scene& scene, const Emission& emission, const Settings& settings, const DirectPart& direct)
+{
+  if (settings.alwaysVertices || settings.gatherEverywhere || direct.sensors().empty() || !isLuminous(scene))
+    return false;
+  Settings own = settings;
+  own.seed = mixBits(settings.seed + 0x70617468);
+  Trial trial(scene, emission, own, direct);
+  const double vertices = trial.byVertices().effort();
+  return trial.byPaths().effort() < vertices;
+}
+
+AuditLine auditPaths()
+{
+  return {"vertices", "none", "luminous surfaces all around: paths from the receivers alone won a trial against them"};
+}
+}  // namespace kalos
