@@ -86,14 +86,15 @@ private slots:
     QTest::qWait(200);  // what was under way ends
     const ResultPtr before = run.result();
     const double elapsed = run.elapsed();
-    QTest::qWait(1500);
+    QTest::qWait(2500);
     QCOMPARE(run.result(), before);
     QCOMPARE(run.elapsed(), elapsed);
     QVERIFY(run.active());
     run.resume();
     QVERIFY(ended.wait(5000));
     QVERIFY(run.result()->trajectories > before->trajectories);
-    QVERIFY2(run.result()->seconds < 1.4, "the pause is not part of the time");
+    // With the pause 2.7 at least; a busy machine may overrun the second asked for.
+    QVERIFY2(run.result()->seconds < 2.2, "the pause is not part of the time");
   }
 
   void cancelIsQuickAndKeepsTheLastRound()
