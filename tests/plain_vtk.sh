@@ -16,7 +16,7 @@ shift
 
 if [ ! -d "$folder/vtk" ]; then
   mkdir -p "$folder/packages" "$folder/unpacking"
-  (cd "$folder/packages" && apt-get download libvtk9-dev libvtk9.1 python3-vtk9 vtk9)
+  (cd "$folder/packages" && apt-get download libvtk9-dev libvtk9.1 libvtk9-qt-dev libvtk9.1-qt python3-vtk9 vtk9)
   for package in "$folder"/packages/*.deb; do
     dpkg-deb -x "$package" "$folder/unpacking"
   done
