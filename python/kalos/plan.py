@@ -10,6 +10,7 @@ from kalos.pictures import DPI, cell_points, draw_map, save
 from kalos.scale import colour_bar, colour_scale
 
 THIN = 0.2  # height over width below which a plan is stretched
+DARK = 1e-9  # of the largest value: what rounding leaves inside solids has no relative error
 
 
 def draw_plan(file, receivers, frame, lines):
@@ -30,8 +31,7 @@ def draw_plan(file, receivers, frame, lines):
         upper.set_aspect("auto")
         figure.text(0.5, 0.5, "stretched upwards: the axes have different scales", ha="center", fontsize=8, color="0.35")
     draw_isolux(upper, lines, frame)
-    lit = receivers.illuminance > 0
-    relative = np.divide(100 * receivers.standard_error, receivers.illuminance, out=np.zeros(len(lit)), where=lit)
+    relative = relative_error(receivers.illuminance, receivers.standard_error)
     scale = colour_scale(relative)
     draw_map(lower, polygons, relative, scale, frame)
     colour_bar(lower, scale, "standard error, %")
@@ -39,6 +39,12 @@ def draw_plan(file, receivers, frame, lines):
     if high < THIN * wide:
         lower.set_aspect("auto")
     save(figure, file, receivers.dataset)
+
+
+def relative_error(illuminance, standard_error):
+    """In percent; 0 where it is dark."""
+    lit = illuminance > DARK * illuminance.max(initial=0)
+    return np.divide(100 * standard_error, illuminance, out=np.zeros(len(lit)), where=lit)
 
 
 def draw_isolux(axes, lines, frame):

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from kalos.isolux import isolux, levels, polylines
+from kalos.plan import relative_error
 from kalos.receivers import Receivers, point_receivers
 from matplotlib.image import imread
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -53,6 +54,11 @@ def test_isolux_files(report):
     assert found and {label for _, label, _ in found} == {f"{level:g} lx" for level, *_ in found}
     assert vtk_to_numpy(lines.GetPointData().GetArray("IlluminanceStandardError")).min() > 0
     assert not (report / "probe-isolux.vtp").exists()
+
+
+def test_what_rounding_leaves_in_the_dark_has_no_error():
+    found = relative_error(np.array([100, 2e-6, 1e-12, 0.0]), np.array([1, 1e-6, 1e-12, 0.0]))
+    np.testing.assert_allclose(found, [1, 50, 0, 0])
 
 
 def test_isolux_of_a_plane_that_rises():
