@@ -9,6 +9,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkPointData.h"
 
