@@ -77,8 +77,7 @@ PaintedSurface thinned(vtkPolyData* shape, double cube, vtkIdType most)
   painted.receivers->SetPoints(shape->GetPoints());
   painted.receivers->SetPolys(cells);
   painted.receivers->GetFieldData()->ShallowCopy(shape->GetFieldData());
-  painted.receivers->GetCellData()->CopyAllocate(shape->GetCellData(), chosen->GetNumberOfIds());
-  painted.receivers->GetCellData()->CopyData(shape->GetCellData(), chosen.Get(), vtkIdType{0});
+  copyCellData(shape, chosen, painted.receivers);
   return painted;
 }
 }  // namespace

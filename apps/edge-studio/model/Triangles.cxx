@@ -100,6 +100,14 @@ double areaOf(vtkPolyData* triangles)
   return sum;
 }
 
+void copyCellData(vtkPolyData* from, vtkIdList* cells, vtkPolyData* to)
+{
+  vtkCellData* data = to->GetCellData();
+  data->CopyAllocate(from->GetCellData(), cells->GetNumberOfIds());
+  for (vtkIdType k = 0; k < cells->GetNumberOfIds(); ++k)  // one by one: VTK 9.1 crashes over a list
+    data->CopyData(from->GetCellData(), cells->GetId(k), k);
+}
+
 vtkSmartPointer<vtkPolyData> cutLong(vtkPolyData* triangles, double longest)
 {
   vtkNew<vtkPoints> points;
@@ -122,8 +130,7 @@ vtkSmartPointer<vtkPolyData> cutLong(vtkPolyData* triangles, double longest)
   result->SetPoints(points);
   result->SetPolys(cells);
   result->GetFieldData()->ShallowCopy(triangles->GetFieldData());
-  result->GetCellData()->CopyAllocate(triangles->GetCellData(), origins->GetNumberOfIds());
-  result->GetCellData()->CopyData(triangles->GetCellData(), origins.Get(), vtkIdType{0});
+  copyCellData(triangles, origins, result);
   return result;
 }
 

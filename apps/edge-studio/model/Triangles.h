@@ -12,6 +12,9 @@ namespace studio
 /// The total area, m2.
 double areaOf(vtkPolyData* triangles);
 
+/// Gives `to`, cell by cell, the cell data of these cells of `from`.
+void copyCellData(vtkPolyData* from, vtkIdList* cells, vtkPolyData* to);
+
 /// The triangles, halved at their longest edge until none is longer than `longest` m, with their cell data.
 vtkSmartPointer<vtkPolyData> cutLong(vtkPolyData* triangles, double longest);
 
