@@ -97,11 +97,7 @@ double CompensatedLight::balance(std::size_t r, const Round& round) const
 
 Round CompensatedLight::trace(long long first, int count, int replicates, Workers& workers) const
 {
-  const auto trace = this->Rays.alone() ? traceSome : traceRound;
-  Round round{first, count, trace(this->Lit, this->Source, this->Wanted.walks(), replicates, first, count, workers)};
-  if (!workers.forEach(round.pools.size(), [&](std::size_t p) { this->Rays.pilot().annotate(round.pools[p]); }))
-    round.pools.clear();
-  return round;
+  return {first, count, this->Rays.trace(this->Source, this->Wanted.walks(), replicates, first, count, workers)};
 }
 
 void CompensatedLight::score(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
@@ -205,7 +201,7 @@ AuditLine CompensatedLight::audit(int replicates, const std::vector<double>& edg
                                              : "surfaces that are not diffuse are seen by them; ");
   reason << std::llround(std::accumulate(sent.begin(), sent.end(), 0.0)) << " rays, " << std::llround(spared)
          << " spared elsewhere";
-  if (!this->Rays.alone() && std::isfinite(this->Clearance) && edgeDistances.size() == this->RayShare.size())
+  if (std::isfinite(this->Clearance) && edgeDistances.size() == this->RayShare.size())
     reason << "; " << atEdges << " receivers at singular edges, " << gathering - atEdges << " in gaps";
   return {"gather rays",
           "at " + std::to_string(gathering) + " of " + std::to_string(this->RayShare.size()) + " receivers",

@@ -27,7 +27,11 @@ public:
   const Gathering& gathering() const { return this->Rays; }
 
   /// From now on no vertex scores: gather rays find all light (Gathering::goAlone). Before prepare().
-  void goAlone() { this->Rays.goAlone(); }
+  void goAlone()
+  {
+    this->Rays.goAlone();
+    this->Clearance = std::numeric_limits<double>::infinity();
+  }
 
   /// Decides how much each sensor gathers. Returns false when aborted.
   bool prepare(const std::vector<Sensor>& sensors, Workers& workers);

@@ -83,7 +83,7 @@ void DirectPart::measureVisibility(std::size_t r)
     this->Views[r].visibleShare = 0;
   if (this->Sampled || !this->direct().fluctuates())
     return;
-  constexpr int pilot = 16, pilotReplicate = 1 << 20;  // no estimate uses it
+  constexpr int pilot = 16;
   const Walks walks = this->Drawn.ofReceiver(r);
   DirectLight::View& view = this->Views[r];
   view.visibleShare = 0;

@@ -7,7 +7,6 @@
 
 #include "estimator/GatherPattern.h"
 #include "estimator/PathTrial.h"
-#include "estimator/VertexRound.h"
 
 namespace kalos
 {
@@ -16,7 +15,7 @@ namespace
 constexpr int trajectoriesPerRay = 16;  // of a replicate, for each gather ray of a receiver in that replicate
 constexpr int fewReplicates = 8;        // fewer are better stratified; their standard error is good to a quarter
 constexpr float cellShare = 0.25f;      // width over distance, rounded down to a power of two
-constexpr int checkEvery = 64;          // shared hits, for each that is estimated at its own place too
+constexpr double checkEvery = 64;       // shared hits, for each that is estimated at its own place too
 constexpr std::size_t chunk = 64;       // cells that one task estimates
 
 // Random numbers of the cells: others than those of the receivers.
@@ -66,10 +65,9 @@ bool GatheredEstimation::addRound(long long first, int count, Workers& workers, 
     return true;  // a dark scene
   if (this->Direct.complete())
     return this->Direct.scoreAll(first, count, workers, tally);
-  const auto trace = this->Rays.alone() ? traceSome : traceRound;
-  std::vector<VertexPool> pools =
-      trace(this->Lit, this->Source, this->Wanted.walks(), this->Replicates, first, count, workers);
-  if (!workers.forEach(pools.size(), [&](std::size_t p) { this->Rays.pilot().annotate(pools[p]); }) || pools.empty())
+  const std::vector<VertexPool> pools =
+      this->Rays.trace(this->Source, this->Wanted.walks(), this->Replicates, first, count, workers);
+  if (pools.empty())
     return false;
   tally.noteEnergy(pools);
   std::vector<Replicate> round(this->Replicates);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/Gathering.h"
 
+#include "estimator/VertexRound.h"
 #include "sampling/Warp.h"
 
 namespace kalos
@@ -10,6 +11,8 @@ namespace
 // The chance that a path goes on when it is alone, over its throughput: in a white furnace 10 took three times the time
 // of 20 to the same error, in rooms that are luminous in part 20 a quarter more than 5.
 constexpr double keptAlone = 20;
+
+constexpr int keptForBalance = 16;  // one of so many trajectories is traced when no path meets their vertices
 }  // namespace
 
 Gathering::Gathering(const Scene& scene, const Emission& emission, const Settings& settings, bool shadows)
@@ -20,6 +23,21 @@ Gathering::Gathering(const Scene& scene, const Emission& emission, const Setting
       Luminaires(scene, false, shadows),
       Mirrored(scene)
 {
+}
+
+std::vector<VertexPool> Gathering::trace(const Emission& emission, const Walks& walks, int replicates, long long first,
+                                         int count, Workers& workers) const
+{
+  if (this->Alone)
+  {
+    const long long begin = (first + keptForBalance - 1) / keptForBalance;
+    const long long end = (first + count + keptForBalance - 1) / keptForBalance;
+    return traceRound(this->Lit, emission, walks, replicates, begin, static_cast<int>(end - begin), workers);
+  }
+  std::vector<VertexPool> pools = traceRound(this->Lit, emission, walks, replicates, first, count, workers);
+  if (!workers.forEach(pools.size(), [&](std::size_t p) { this->Density.annotate(pools[p]); }))
+    pools.clear();
+  return pools;
 }
 
 double Gathering::blockShare(int trajectories, int blockSize) const

@@ -8,6 +8,7 @@
 #include "estimator/PickedScores.h"
 #include "estimator/Pilot.h"
 #include "estimator/Settings.h"
+#include "estimator/Workers.h"
 
 namespace kalos
 {
@@ -28,6 +29,11 @@ public:
   /// From now on rays meet no vertices: all light is found by paths that end late, estimator/PathTrial.h.
   void goAlone() { this->Alone = true; }
   bool alone() const { return this->Alone; }
+
+  /// The vertices of trajectories [first, first + count) of every replicate, annotated by the pilot; of a sixteenth of
+  /// them when alone, for the energy balance. None when aborted.
+  std::vector<VertexPool> trace(const Emission& emission, const Walks& walks, int replicates, long long first,
+                                int count, Workers& workers) const;
 
   struct Start
   {

@@ -13,7 +13,6 @@ namespace
 constexpr double luminousShare = 0.1;  // of the scene's area: below, no trial is worth its time
 constexpr std::size_t mostReceivers = 8;
 constexpr int replicates = 8, trajectories = 32;  // each
-constexpr int unusedReplicate = (1 << 20) + 1;    // and beyond: of direct light, in no estimate
 constexpr double pairsPerRay = 40;                // scored in the time of a ray
 
 bool isLuminous(const Scene& scene)
@@ -21,7 +20,7 @@ bool isLuminous(const Scene& scene)
   double area = 0;
   for (std::uint32_t t = 0; t < scene.data().triangles.size(); ++t)
     if (photometric(scene.material(t).exitance, scene.bands()) > 0)
-      area += 0.5 * length(cross(scene.corner(t, 1) - scene.corner(t, 0), scene.corner(t, 2) - scene.corner(t, 0)));
+      area += scene.area(t);
   return area >= luminousShare * scene.surfaceArea();
 }
 
@@ -53,17 +52,11 @@ public:
     }
   }
 
-  Found byVertices() { return this->run(false); }
+  void goAlone() { this->Light.goAlone(); }
 
-  Found byPaths()
+  Found run()
   {
-    this->Light.goAlone();
-    return this->run(true);
-  }
-
-private:
-  Found run(bool paths)
-  {
+    const bool paths = this->Light.gathering().alone();
     const Ranks alone;
     Workers workers(1, {}, alone);  // on this thread, which counts its rays
     Tally tally(this->Lit, this->Sensors.size(), replicates);
@@ -80,7 +73,7 @@ private:
         this->Light.score(this->Sensors[i], i, replicate, round, exactMeshes, tally);
         if (paths)
           continue;
-        const Bands direct = this->Direct.fluctuation(r, unusedReplicate + replicate, 0, trajectories);
+        const Bands direct = this->Direct.fluctuation(r, pilotReplicate + 1 + replicate, 0, trajectories);
         for (int b = 0; b < tally.bands(); ++b)
           tally.total(i, replicate)[b] += direct[b];
         const VertexPool& pool = round.pools[replicate];
@@ -95,6 +88,7 @@ private:
     return found;
   }
 
+private:
   const Scene& Lit;
   const DirectPart& Direct;
   CompensatedLight Light;
@@ -110,8 +104,9 @@ bool pathsAreBetter(const Scene& scene, const Emission& emission, const Settings
   Settings own = settings;
   own.seed = mixBits(settings.seed + 0x70617468);
   Trial trial(scene, emission, own, direct);
-  const double vertices = trial.byVertices().effort();
-  return trial.byPaths().effort() < vertices;
+  const double vertices = trial.run().effort();
+  trial.goAlone();
+  return trial.run().effort() < vertices;
 }
 
 AuditLine auditPaths()

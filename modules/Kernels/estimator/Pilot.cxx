@@ -6,7 +6,6 @@ namespace kalos
 namespace
 {
 constexpr int trajectories = 1024;
-constexpr int replicate = 1 << 20;  // no estimate uses it
 constexpr std::size_t enough = 16;  // vertices for a density good to a quarter
 constexpr int deepest = 16;
 
@@ -28,7 +27,7 @@ Pilot::Pilot(const Scene& scene, const Emission& emission, const Walks& walks)
   std::vector<Collision> points;
   if (this->Flux > 0)
   {
-    const VertexPool pool = traceTrajectories(scene, emission, walks, replicate, 0, trajectories);
+    const VertexPool pool = traceTrajectories(scene, emission, walks, pilotReplicate, 0, trajectories);
     for (const VertexSet* set : {&pool.reflected, &pool.glossy})
       for (std::size_t i = 0; i < set->size(); ++i)
         points.push_back({set->position(i), set->normal(i)});

@@ -24,6 +24,9 @@ struct VertexPool
   void append(const VertexPool& other);
 };
 
+/// Replicates from here on are in no estimate: what is decided by their random numbers moves no mean.
+constexpr int pilotReplicate = 1 << 20;
+
 /// One step of a trajectory, told to whoever simulates directly.
 struct Segment
 {

@@ -25,12 +25,4 @@ std::vector<VertexPool> traceRound(const Scene& scene, const Emission& emission,
   });
   return joined ? std::move(pools) : std::vector<VertexPool>();
 }
-
-std::vector<VertexPool> traceSome(const Scene& scene, const Emission& emission, const Walks& walks, int replicates,
-                                  long long first, int count, Workers& workers)
-{
-  constexpr int every = 16;
-  const long long begin = (first + every - 1) / every, end = (first + count + every - 1) / every;
-  return traceRound(scene, emission, walks, replicates, begin, static_cast<int>(end - begin), workers);
-}
 }  // namespace kalos

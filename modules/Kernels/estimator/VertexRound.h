@@ -13,10 +13,6 @@ namespace kalos
 std::vector<VertexPool> traceRound(const Scene& scene, const Emission& emission, const Walks& walks, int replicates,
                                    long long first, int count, Workers& workers);
 
-/// A sixteenth of those trajectories, for the energy balance of a solve that needs no vertices.
-std::vector<VertexPool> traceSome(const Scene& scene, const Emission& emission, const Walks& walks, int replicates,
-                                  long long first, int count, Workers& workers);
-
 /// Random numbers of one receiver in one replicate; `position` counts what was drawn before in that purpose.
 inline RandomStream receiverStream(std::uint64_t seed, int replicate, Purpose purpose, std::size_t receiver,
                                    long long position)
