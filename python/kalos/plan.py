@@ -5,12 +5,12 @@ from matplotlib import patheffects
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from kalos import summary
 from kalos.isolux import polylines
 from kalos.pictures import DPI, cell_points, draw_map, save
 from kalos.scale import colour_bar, colour_scale
 
 THIN = 0.2  # height over width below which a plan is stretched
-DARK = 1e-9  # of the largest value: what rounding leaves inside solids has no relative error
 
 
 def draw_plan(file, receivers, frame, lines):
@@ -43,8 +43,8 @@ def draw_plan(file, receivers, frame, lines):
 
 def relative_error(illuminance, standard_error):
     """In percent; 0 where it is dark."""
-    lit = illuminance > DARK * illuminance.max(initial=0)
-    return np.divide(100 * standard_error, illuminance, out=np.zeros(len(lit)), where=lit)
+    found = 100 * summary.relative_error(illuminance, standard_error)
+    return np.where(np.isfinite(found), found, 0)
 
 
 def draw_isolux(axes, lines, frame):

@@ -9,6 +9,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from kalos import arrays
 
 
+def relative_error(values, standard_error):
+    """Standard errors over their values; where it is dark 0, or infinite if something fluctuates there."""
+    rounding = 1e-12 * values.max(initial=0)  # what arithmetic leaves inside a solid
+    dark = np.where(standard_error > rounding, np.inf, 0.0)
+    return np.divide(standard_error, values, out=dark, where=values > rounding)
+
+
 def statistics(values, standard_error, weights=None, replicates=None):
     """Mean, extremes, uniformities U0 = min/mean and Ud = min/max, each with its standard error, and the largest relative
     standard error of a single value that is not dark.
@@ -20,10 +27,7 @@ def statistics(values, standard_error, weights=None, replicates=None):
     """
     mean = float(np.average(values, weights=weights))
     low, high = float(values.min()), float(values.max())
-    rounding = 1e-12 * high  # what arithmetic leaves inside a solid
-    dark = values <= rounding
-    relative = np.divide(standard_error, values, out=np.where(standard_error > rounding, np.inf, 0.0), where=~dark)
-    worst = float(relative.max())
+    worst = float(relative_error(values, standard_error).max())
     least, most = int(values.argmin()), int(values.argmax())
     if replicates is None:
         mean_error, ratio_errors = float(np.average(standard_error, weights=weights)), (None, None)
