@@ -144,6 +144,12 @@ void Damage(Soup& soup, std::mt19937& random)
 }
 }  // namespace
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr double timeLimit = 600;  // s
+#else
+constexpr double timeLimit = 60;
+#endif
+
 TEST(DamagedMeshes, NothingIsLostInAnyFilter)
 {
   int remeshed = 0;
@@ -192,7 +198,7 @@ TEST(DamagedMeshes, NothingIsLostInAnyFilter)
     remesh->SetInputData(repair->GetOutput());
     remesh->SetEdgeLength(0.3);
     remesh->SetSmallestEdgeLength(seed % 5 ? 0 : 0.1);
-    remesh->SetTimeLimit(600);  // of a sanitized build on a busy machine
+    remesh->SetTimeLimit(timeLimit);
     const Errors ofRemesh(remesh);
     remesh->Update();
     if (ofRemesh.Count > 0)
