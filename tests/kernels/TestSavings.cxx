@@ -106,7 +106,7 @@ TEST_P(Savings, ChangeTheWork)
       EXPECT_NEAR(with.illuminance[r], without.illuminance[r], 1e-5 * with.illuminance[r]);
   else
     EXPECT_NE(with.illuminance, without.illuminance) << "other random numbers or weights";
-  const bool ofRays = name != "stratified" && name != "exact-direct";
+  const bool ofRays = name != "stratified";
   EXPECT_EQ(without.rays > with.rays, ofRays) << without.rays << " against " << with.rays;
   EXPECT_EQ(with.direct != without.direct, name == "exact-direct" || name == "stratified" || name == "paths");
 }

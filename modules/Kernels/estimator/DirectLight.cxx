@@ -110,10 +110,37 @@ double DirectLight::solidAngle(const Area& area, const Vec3& from)
   return sum;
 }
 
+bool DirectLight::isAfar(const Area& area, const Vec3& p)
+{
+  constexpr double afar = 4;  // times the larger of two sides: what a point of the area sends differs by a tenth
+  const Vec3 u = area.corner[1] - area.corner[0], v = area.corner[area.count - 1] - area.corner[0];
+  const Vec3 d = p - 0.5 * (area.corner[1] + area.corner[area.count - 1]);
+  return dot(d, d) > afar * afar * std::max(dot(u, u), dot(v, v));
+}
+
+bool DirectLight::samplePoint(const Area& area, const Sensor& sensor, double u1, double u2, AreaSample& sample) const
+{
+  const Vec3 u = area.corner[1] - area.corner[0], v = area.corner[area.count - 1] - area.corner[0];
+  const bool outside = area.count == 3 && u1 + u2 > 1;  // of a triangle: the other half of the parallelogram
+  const Vec3 point = area.corner[0] + (outside ? 1 - u1 : u1) * u + (outside ? 1 - u2 : u2) * v;
+  const Vec3 d = point - sensor.position;
+  const double d2 = dot(d, d), cosine = dot(d, sensor.normal), facing = -dot(d, area.normal);  // times |d|
+  const bool behind = area.opening && !area.opening->isOneSided() && facing < 0;
+  if (!(cosine > 0) || !(facing > 0 || behind))
+    return false;
+  const double size = (area.count == 3 ? 0.5 : 1) * length(cross(u, v)), distance = std::sqrt(d2);
+  sample.solidAngle = size * std::abs(facing) / (d2 * distance);
+  sample.direction = (1 / distance) * d;
+  sample.target = this->Lit.anchor(point, behind ? -area.normal : area.normal);
+  return true;
+}
+
 bool DirectLight::sampleArea(const Area& area, const Sensor& sensor, double u1, double u2, double u3,
                              AreaSample& sample) const
 {
   const Vec3& r = sensor.position;
+  if (!sensor.brdf && this->isAfar(area, r))
+    return this->samplePoint(area, sensor, u2, u3, sample);
   SphericalTriangle part(r, area.corner[0], area.corner[1], area.corner[2]);
   sample.solidAngle = part.solidAngle();
   if (area.count == 4)
@@ -197,55 +224,91 @@ void DirectLight::weigh(const Sensor& sensor, LuminaireWeights& weights) const
   weights.sum();
 }
 
-Bands DirectLight::sample(const Sensor& sensor, SampleStream& random) const
+bool DirectLight::aim(const Sensor& sensor, SampleStream& random, AreaSample& sample, Bands& arriving,
+                      Bands& lobe) const
 {
-  const double u0 = random.next(), u1 = random.next(), u2 = random.next(), u3 = random.next();
   const auto& luminaires = this->Lit.data().luminaires;
-  Bands result{};
   if (luminaires.empty())
-    return result;
+    return false;
   std::size_t k = 0;
   double share = 1;
   if (luminaires.size() > 1 || sensor.brdf)
   {
+    const double u = random.next();
     thread_local LuminaireWeights weights;
     this->weigh(sensor, weights);
     if (!(weights.total() > 0))
-      return result;
+      return false;
     if (sensor.brdf)
-      this->sampleLobe(sensor, random, weights, result);
-    k = weights.draw(u0);
+      this->sampleLobe(sensor, random, weights, lobe);
+    k = weights.draw(u);
     share = weights.share(k);
   }
 
-  AreaSample sample;
-  Bands arriving{};  // lx per band
+  arriving = {};  // lx per band
   if (this->AreaOf[k] == noArea || (luminaires[k].isOpening() && !isNear(luminaires[k], sensor.position)))
   {
     const double e = this->pointIlluminance(luminaires[k], sensor);
     if (!(e > 0))
-      return result;
+      return false;
     sample.target = this->Lit.shadowTarget(luminaires[k]);
     sample.direction = normalized(luminaires[k].position - sensor.position);
     arriving = uniformBands(e / share);
+    return true;
   }
-  else
-  {
-    const Area& area = this->Areas[this->AreaOf[k]];
-    if (!this->shinesAt(area, sensor) || !this->sampleArea(area, sensor, u1, u2, u3, sample))
-      return result;
-    // The lobe's sample shares with this one: balance heuristic.
-    const double density = share / sample.solidAngle + (sensor.brdf ? gatherDensity(sensor, sample.direction) : 0);
-    const Bands exitance = this->exitanceTowards(area, sample.direction);
-    for (int b = 0; b < this->Lit.bands(); ++b)
-      arriving[b] = exitance[b] / pi * dot(sample.direction, sensor.normal) / density;
-  }
-  if (this->Shadows && this->Lit.rays().occluded(sensor.anchor, sample.target))
+  const Area& area = this->Areas[this->AreaOf[k]];
+  const double u1 = random.next(), u2 = random.next(), u3 = random.next();
+  if (!this->shinesAt(area, sensor) || !this->sampleArea(area, sensor, u1, u2, u3, sample))
+    return false;
+  // The lobe's sample shares with this one: balance heuristic.
+  const double density = share / sample.solidAngle + (sensor.brdf ? gatherDensity(sensor, sample.direction) : 0);
+  const Bands exitance = this->exitanceTowards(area, sample.direction);
+  for (int b = 0; b < this->Lit.bands(); ++b)
+    arriving[b] = exitance[b] / pi * dot(sample.direction, sensor.normal) / density;
+  return true;
+}
+
+Bands DirectLight::sample(const Sensor& sensor, SampleStream& random) const
+{
+  AreaSample sample;
+  Bands result{}, arriving;
+  if (!this->aim(sensor, random, sample, arriving, result) ||
+      (this->Shadows && this->Lit.rays().occluded(sensor.anchor, sample.target)))
     return result;
   const Bands weight = response(sensor, sample.direction, this->Lit.bands());
   for (int b = 0; b < this->Lit.bands(); ++b)
     result[b] += weight[b] * arriving[b];
   return result;
+}
+
+void DirectLight::sample(const Sensor* sensors, int count, SampleStream& random, Bands* light) const
+{
+  SegmentPacket packet;
+  int lit[SegmentPacket::width], rays = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    AreaSample sample;
+    Bands unused{};
+    if (!this->aim(sensors[i], random, sample, light[i], unused))
+    {
+      light[i] = {};
+      continue;
+    }
+    const Vec3 &from = sensors[i].anchor.lifted, &to = sample.target.lifted;
+    packet.ox[rays] = static_cast<float>(from.x);
+    packet.oy[rays] = static_cast<float>(from.y);
+    packet.oz[rays] = static_cast<float>(from.z);
+    packet.dx[rays] = static_cast<float>(to.x - from.x);
+    packet.dy[rays] = static_cast<float>(to.y - from.y);
+    packet.dz[rays] = static_cast<float>(to.z - from.z);
+    lit[rays++] = i;
+  }
+  if (!this->Shadows || rays == 0)
+    return;
+  const std::uint32_t hidden = this->Lit.rays().occluded(packet, rays);
+  for (int k = 0; k < rays; ++k)
+    if (hidden >> k & 1)
+      light[lit[k]] = {};
 }
 
 void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const LuminaireWeights& weights,

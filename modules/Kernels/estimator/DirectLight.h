@@ -46,12 +46,17 @@ public:
   /// without meshes.
   Bands sample(const Sensor& sensor, SampleStream& random) const;
 
+  /// The same at `count` <= SegmentPacket::width sensors without BRDF, their shadow rays in one packet, in single
+  /// precision: for sensors that are seen from so far that none matters which lies in a narrower gap.
+  void sample(const Sensor* sensors, int count, SampleStream& random, Bands* light) const;
+
   /// Adds throughput times the exitance of every luminous rectangle that a ray from a mirror passes through before it
   /// ends at y.
   void addSeen(const Vec3& origin, const Vec3& direction, const SurfacePoint& y, const Bands& throughput,
                Bands& sum) const;
 
   /// Whether samples add to what look() finds: something may hide area emitters, or openings are near.
+  bool hasOpenings() const { return this->HasOpenings; }
   bool fluctuates() const { return this->HasOpenings || (this->Shadows && !this->Areas.empty()); }
 
 private:
@@ -69,17 +74,23 @@ private:
   double formFactor(const Area& area, const Sensor& sensor) const;    // unshadowed, 0 where it does not shine
   void weigh(const Sensor& sensor, LuminaireWeights& weights) const;  // of luminaires, by which sample() draws
 
-  /// A point of an area emitter, seen from the sensor in a direction uniform in solid angle; false when none is.
+  // A point of an area emitter, seen from the sensor in a direction uniform in solid angle; from afar, and without
+  // BRDF, uniform on the area, which costs a tenth.
   struct AreaSample
   {
     Vec3 direction;
     RayAnchor target;
-    double solidAngle;  // sr, of the emitter
+    double solidAngle;  // sr, of the emitter; or what stands for it, one over the direction's density
   };
   Bands exitanceTowards(const Area& area, const Vec3& fromSensor) const;  // pi times the luminance, lm/m2
   static double solidAngle(const Area& area, const Vec3& from);           // sr
   static bool meets(const Area& area, const Vec3& origin, const Vec3& direction, double& distance);  // on a lit side
+  // What sample() finds at the sensor if nothing hides it: false when that is nothing. A lobe's sample goes to `lobe`.
+  bool aim(const Sensor& sensor, SampleStream& random, AreaSample& sample, Bands& arriving, Bands& lobe) const;
   void sampleLobe(const Sensor& sensor, SampleStream& random, const LuminaireWeights& weights, Bands& sum) const;
+  static bool isAfar(const Area& area, const Vec3& p);
+  bool samplePoint(const Area& area, const Sensor& sensor, double u1, double u2, AreaSample& sample) const;
+  // False when the emitter is not seen there.
   bool sampleArea(const Area& area, const Sensor& sensor, double u1, double u2, double u3, AreaSample& sample) const;
 
   static constexpr std::size_t noArea = ~std::size_t{0};

@@ -10,7 +10,9 @@ namespace kalos
 {
 namespace
 {
-constexpr int trajectoriesPerShadow = 4;        // trajectories per sample of an area emitter's shadow
+constexpr int pilotSamples = 16;                // of area emitters, to see how much of them is visible
+constexpr std::size_t steadyAround = 2;         // receivers before and after, which see all or nothing as well
+constexpr int steadySaving = 8;                 // times fewer samples where nothing suggests that shadows fall
 constexpr std::size_t largestViews = 1u << 24;  // unshadowed illuminances kept, receivers times emitters: 128 MB
 constexpr std::uint32_t largestExact = 4096;    // emitting triangles served by closed forms
 
@@ -31,8 +33,10 @@ Audit auditFor(const Scene& scene, const Receivers& receivers, const Settings& s
 }
 }  // namespace
 
-DirectPart::DirectPart(const Scene& scene, const Receivers& receivers, const Settings& settings)
+DirectPart::DirectPart(const Scene& scene, const Receivers& receivers, const Settings& settings,
+                       int trajectoriesPerSample)
     : Lit(scene),
+      PerSample(trajectoriesPerSample),
       Drawn(settings.walks()),
       Sampled(settings.sampleDirect),
       Found(auditFor(scene, receivers, settings)),
@@ -83,18 +87,29 @@ void DirectPart::measureVisibility(std::size_t r)
     this->Views[r].visibleShare = 0;
   if (this->Sampled || !this->direct().fluctuates())
     return;
-  constexpr int pilot = 16;
   const Walks walks = this->Drawn.ofReceiver(r);
   DirectLight::View& view = this->Views[r];
   view.visibleShare = 0;
   double visible = 0;
   Bands w;
-  for (int s = 0; s < pilot; ++s)
+  for (int s = 0; s < pilotSamples; ++s)
   {
     SampleStream random = walks.stream(pilotReplicate, Purpose::DirectLight, s);
     visible += this->direct().sampleAreas(this->Sensors[r], view, random, w);
   }
-  view.visibleShare = visible / pilot;
+  view.visibleShare = visible / pilotSamples;
+}
+
+bool DirectPart::isSteady(std::size_t r) const
+{
+  if (this->Sampled || this->direct().hasOpenings())
+    return false;
+  const double share = this->Views[r].visibleShare;
+  const std::size_t end = std::min(this->Views.size(), r + steadyAround + 1);
+  for (std::size_t i = r - std::min(r, steadyAround); i < end; ++i)
+    if (this->Views[i].visibleShare != share)
+      return false;
+  return share == 0 || share == 1;
 }
 
 Bands DirectPart::fluctuation(std::size_t r, int replicate, long long first, int count) const
@@ -102,30 +117,21 @@ Bands DirectPart::fluctuation(std::size_t r, int replicate, long long first, int
   const Sensor& sensor = this->Sensors[r];
   if (!sensor.brdf && !this->direct().fluctuates())
     return {};
-  const int samples = (count + trajectoriesPerShadow - 1) / trajectoriesPerShadow;
+  const int each = this->PerSample * (sensor.brdf || !this->isSteady(r) ? 1 : steadySaving);
+  const int samples = (count + each - 1) / each;
   const Walks walks = this->Drawn.ofReceiver(r);
   Bands sum{};
-  if (sensor.brdf)
+  for (int s = 0; s < samples; ++s)
   {
-    for (int s = 0; s < samples; ++s)
-    {
-      SampleStream random = walks.stream(replicate, Purpose::DirectLight, first + s);
-      const Bands e = this->Luminaires.sample(sensor, random);
-      for (int b = 0; b < this->Lit.bands(); ++b)
-        sum[b] += e[b];
-    }
-  }
-  else
-  {
-    const DirectLight::View& view = this->Views[r];
-    for (int s = 0; s < samples; ++s)
-    {
-      SampleStream random = walks.stream(replicate, Purpose::DirectLight, first + s);
-      Bands w;
-      const double excess = this->direct().sampleAreas(sensor, view, random, w);
-      for (int b = 0; b < this->Lit.bands(); ++b)
-        sum[b] += w[b] * excess;
-    }
+    SampleStream random = walks.stream(replicate, Purpose::DirectLight, first + s);
+    Bands light;
+    double excess = 1;
+    if (sensor.brdf)
+      light = this->Luminaires.sample(sensor, random);
+    else
+      excess = this->direct().sampleAreas(sensor, this->Views[r], random, light);
+    for (int b = 0; b < this->Lit.bands(); ++b)
+      sum[b] += light[b] * excess;
   }
   for (int b = 0; b < this->Lit.bands(); ++b)
     sum[b] *= static_cast<double>(count) / samples;

@@ -14,7 +14,9 @@ namespace kalos
 class DirectPart
 {
 public:
-  DirectPart(const Scene& scene, const Receivers& receivers, const Settings& settings);
+  /// What fluctuates has one sample for each `trajectoriesPerSample` of a round; where a receiver and its neighbours in
+  /// order saw all of the emitters or nothing, in samples used nowhere else, eight times fewer.
+  DirectPart(const Scene& scene, const Receivers& receivers, const Settings& settings, int trajectoriesPerSample = 4);
 
   const std::vector<Sensor>& sensors() const { return this->Sensors; }
   bool shadows() const { return !this->Found.unoccluded; }
@@ -51,10 +53,12 @@ public:
 private:
   const DirectLight& direct() const { return this->ClosedForms ? this->Exact : this->Luminaires; }
   void measureVisibility(std::size_t receiver);
+  bool isSteady(std::size_t receiver) const;
   AuditLine auditOpenings() const;
   AuditLine auditMirrors() const;
 
   const Scene& Lit;
+  int PerSample;
   Walks Drawn;
   bool Sampled;  // no closed forms of areas
   Audit Found;

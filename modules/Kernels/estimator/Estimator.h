@@ -12,6 +12,13 @@
 
 namespace kalos
 {
+/// How a method goes through its trajectories.
+struct Pace
+{
+  int multiple = 1;  ///< rounds are multiples of so many trajectories of a replicate, but for the last
+  double work = 1;   ///< at a receiver per trajectory, in scores of a trajectory's vertices
+};
+
 class Estimator
 {
 public:
@@ -44,6 +51,8 @@ public:
 
   /// Independent replicates to run for `trajectories`, over all of them.
   virtual int replicates(long long trajectories) const { return replicateCount(trajectories); }
+
+  virtual Pace pace() const { return {}; }
 
   /// Whether Tally::correction() means something.
   virtual bool altersKernel() const { return false; }

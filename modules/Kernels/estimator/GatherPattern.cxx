@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/GatherPattern.h"
 
+#include <algorithm>
+
 namespace kalos
 {
 namespace
@@ -27,6 +29,18 @@ void turn(const std::uint32_t* height, const float* cosine, const float* sine, s
   }
 }
 
+// The bits of a before those of b, 16 each: near in this order is near in both.
+std::uint32_t interleave(std::uint32_t a, std::uint32_t b)
+{
+  auto spread = [](std::uint32_t x) {
+    x = (x | x << 8) & 0x00ff00ff;
+    x = (x | x << 4) & 0x0f0f0f0f;
+    x = (x | x << 2) & 0x33333333;
+    return (x | x << 1) & 0x55555555;
+  };
+  return spread(a) << 1 | spread(b);
+}
+
 void store(const Vec3& v, float* out)
 {
   out[0] = static_cast<float>(v.x);
@@ -37,14 +51,15 @@ void store(const Vec3& v, float* out)
 
 GatherPattern::GatherPattern(Sampling sampling, std::uint64_t key, long long first, int count) : Count(count)
 {
-  const auto padded = static_cast<std::size_t>((count + width - 1) / width * width);
-  this->Height.resize(padded);
-  this->Cosine.resize(padded);
-  this->Sine.resize(padded);
-  const std::uint64_t seeds = mixBits(key);
-  for (std::size_t k = 0; k < padded; ++k)
+  struct Point
   {
-    const auto index = static_cast<std::uint64_t>(first) + k;
+    std::uint32_t height, azimuth, place;
+  };
+  std::vector<Point> points;
+  const std::uint64_t seeds = mixBits(key);
+  for (int k = 0; k < count; ++k)
+  {
+    const std::uint64_t index = static_cast<std::uint64_t>(first) + static_cast<std::uint64_t>(k);
     std::uint32_t bits[2];
     if (sampling == Sampling::Sobol)
     {
@@ -58,10 +73,17 @@ GatherPattern::GatherPattern(Sampling sampling, std::uint64_t key, long long fir
       bits[0] = static_cast<std::uint32_t>(random);
       bits[1] = static_cast<std::uint32_t>(random >> 32);
     }
-    this->Height[k] = bits[0];
-    const double azimuth = 2 * pi * 0x1.0p-32 * bits[1];
-    this->Cosine[k] = static_cast<float>(std::cos(azimuth));
-    this->Sine[k] = static_cast<float>(std::sin(azimuth));
+    points.push_back({bits[0], bits[1], interleave(bits[1] >> 16, bits[0] >> 16)});
+  }
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.place < b.place; });
+  const auto padded = static_cast<std::size_t>((count + width - 1) / width * width);
+  points.resize(padded, points.back());
+  for (const Point& point : points)
+  {
+    this->Height.push_back(point.height);
+    const double azimuth = 2 * pi * 0x1.0p-32 * point.azimuth;
+    this->Cosine.push_back(static_cast<float>(std::cos(azimuth)));
+    this->Sine.push_back(static_cast<float>(std::sin(azimuth)));
   }
 }
 

@@ -3,10 +3,11 @@
 //
 // Stratified cosine-weighted rays leave each receiver, in packets. Where one ends, the receiver is lit by (M0 + rho
 // E)/pi. The light of luminaires in E is that at the hit itself; the rest is shared by hits that lie together, as seen
-// from the receivers: they are sorted into cells (estimator/SurfaceCache.h), and it is estimated at one hit of each,
-// drawn uniformly, without bias: by a block of the trajectories' vertices, and a gather ray for what these leave
-// (Gathering::indirectLight). Near an edge cells are as small as the distance asks; where a cell has one hit, nothing
-// is shared. Where a ray ends on gloss or a mirror, the unbiased gather ray of `compensated` takes its place.
+// from the receivers: they are sorted into cells (estimator/SurfaceCache.h), the wider the fewer rays there are, and it
+// is estimated at one hit of each, drawn uniformly, without bias: by a block of the trajectories' vertices, and a
+// gather ray for what these leave (Gathering::indirectLight). Near an edge cells are as small as the distance asks;
+// where a cell has one hit, nothing is shared. Where a ray ends on gloss or a mirror, the unbiased gather ray of
+// `compensated` takes its place.
 //
 // Bias: none in the mean over the receivers that share a cell; between them, light is spread over the cell. It is
 // second order in the cell's width over its distance. One shared hit in `checkEvery` is estimated at its own place too;
@@ -33,6 +34,7 @@ public:
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
   int replicates(long long trajectories) const override;
+  Pace pace() const override;
   void exchange(const Ranks& ranks) override;
   void persist(Archive& archive) override;
   std::vector<AuditLine> audit() const override;
@@ -62,10 +64,13 @@ private:
   void look(std::size_t tile, int replicate, const Replicate& round, int rays, Looks& looks, Tally& tally) const;
   void lookAt(std::size_t receiver, int replicate, const Replicate& round, const GatherPattern& pattern, Looks& looks,
               Tally& tally) const;
+  std::uint64_t seedOfCells(int replicate) const;
   Sensor at(const SurfaceHit& hit) const;
   Bands indirectLight(const SurfaceHit& hit, std::size_t cell, int replicate, const GatherPool& pool) const;
+  void lightByLamps(std::size_t receiver, const SurfaceHit* hits, int count, SampleStream& random, Bands* light) const;
   void collect(std::size_t tile, int replicate, const Replicate& round, int rays, const Looks& looks, Tally& tally,
                Check& check) const;
+  void checkShared(const SurfaceHit& hit, int replicate, const Replicate& round, Check& check) const;
 
   const Scene& Lit;
   Settings Wanted;

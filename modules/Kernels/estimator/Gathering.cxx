@@ -100,12 +100,24 @@ Bands Gathering::follow(const Sensor& sensor, const Vec3& direction, const Surfa
 Bands Gathering::luminaireLight(const Sensor& sensor, SampleStream& random) const
 {
   Bands light = this->Luminaires.sample(sensor, random);
+  this->addMirrored(sensor, light);
+  return light;
+}
+
+void Gathering::luminaireLight(const Sensor* sensors, int count, SampleStream& random, Bands* light) const
+{
+  this->Luminaires.sample(sensors, count, random, light);
+  for (int i = 0; i < count; ++i)
+    this->addMirrored(sensors[i], light[i]);
+}
+
+void Gathering::addMirrored(const Sensor& sensor, Bands& light) const
+{
   if (!this->Mirrored.any())
-    return light;
+    return;
   const Bands images = this->Mirrored.illuminance(sensor);
   for (int b = 0; b < this->Lit.bands(); ++b)
     light[b] += images[b];
-  return light;
 }
 
 Bands Gathering::indirectLight(const Sensor& sensor, const GatherPool& pool, SampleStream& random) const

@@ -55,6 +55,9 @@ public:
   /// All light that reaches a sensor from luminaires, straight or by mirrors, with one shadow ray for the former.
   Bands luminaireLight(const Sensor& sensor, SampleStream& random) const;
 
+  /// The same at up to SegmentPacket::width sensors without BRDF that are seen from afar: see DirectLight.
+  void luminaireLight(const Sensor* sensors, int count, SampleStream& random, Bands* light) const;
+
   /// All other light at a sensor without BRDF, lx per band: by a block of the pool's vertices, and by a gather ray that
   /// takes what these leave.
   Bands indirectLight(const Sensor& sensor, const GatherPool& pool, SampleStream& random) const;
@@ -85,6 +88,7 @@ private:
                Bands& sum, Bands& emission) const;
   void finish(Chain& chain, const GatherPool& pool, SampleStream& random, Bands& sum, Bands& emission) const;
   bool draw(const Sensor& sensor, SampleStream& random, Ray& ray, Bands& throughput) const;
+  void addMirrored(const Sensor& sensor, Bands& light) const;
   double blockShare(int trajectories, int blockSize) const;  // infinite when alone
   void addVertexLight(const Sensor& sensor, const GatherPool& pool, int blockSize, SampleStream& random,
                       const Bands& throughput, Bands& sum) const;

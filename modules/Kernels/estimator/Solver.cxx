@@ -22,7 +22,7 @@ constexpr long long unlimited = std::numeric_limits<long long>::max() / 64;
 constexpr int largestRound = 8192;  // trajectories per replicate: bounds the memory of the vertices
 constexpr int firstRound = 64;      // with a goal: enough for a first standard error
 constexpr int smallestRound = 256;
-constexpr double largestWork = 1 << 25;  // trajectories times receivers: a stop loses the round that it interrupts
+constexpr double largestWork = 1 << 25;  // scores of trajectories: a stop loses the round that it interrupts
 
 void check(const Receivers& receivers, const Settings& s)
 {
@@ -48,15 +48,17 @@ void check(const Receivers& receivers, const Settings& s)
 class Schedule
 {
 public:
-  Schedule(const Settings& settings, const Tally& tally, long long limit, bool shown)
+  Schedule(const Settings& settings, const Tally& tally, const Pace& pace, long long limit, bool shown)
       : Wanted(settings),
         Shown(shown),
         Limit((limit + tally.replicates() - 1) / tally.replicates()),
-        LargestRound(
-            static_cast<int>(std::clamp(largestWork / (static_cast<double>(tally.receivers()) * tally.replicates() + 1),
-                                        static_cast<double>(smallestRound), static_cast<double>(largestRound)))),
+        Multiple(pace.multiple),
         Wished(settings, tally.replicates())
   {
+    // A power of two: the points of a stratified sequence are even over as many.
+    const double scores = static_cast<double>(tally.receivers()) * tally.replicates() * pace.work;
+    while (2 * this->LargestRound <= largestRound && 2 * this->LargestRound * scores <= largestWork)
+      this->LargestRound *= 2;
   }
 
   bool hasGoal() const { return this->Wanted.relativeError > 0 || this->Wanted.seconds > 0; }
@@ -90,7 +92,9 @@ public:
     }
     if (this->Shown)
       target = std::min(target, done + std::max(1LL, done / 2));
-    return static_cast<int>(std::min<long long>(this->LargestRound, std::min(target, this->Limit) - done));
+    const long long wished = (target - done + this->Multiple - 1) / this->Multiple * this->Multiple;
+    const long long count = std::min<long long>(this->LargestRound, wished), left = this->Limit - done;
+    return static_cast<int>(left < count + this->Multiple ? left : count);
   }
 
   double fraction() const { return std::min(1.0, this->Fraction); }
@@ -100,7 +104,7 @@ private:
   Settings Wanted;
   bool Shown;
   long long Limit;
-  int LargestRound;
+  int Multiple, LargestRound = smallestRound;
   Goal Wished;
   double Fraction = 0;
 };
@@ -164,7 +168,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   const int replicates = estimator->replicates(goal ? 32 : limit);
   Workers workers(settings.threads, progress, ranks);
   Tally tally(scene, receivers.points.size(), replicates);
-  Schedule schedule(settings, tally, limit, static_cast<bool>(snapshot));
+  Schedule schedule(settings, tally, estimator->pace(), limit, static_cast<bool>(snapshot));
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpuStart = std::clock();
   const long long raysBefore = raysTraced();
@@ -254,7 +258,7 @@ Replay replay(const Scene& scene, const Receivers& receivers, const Settings& se
   const Ranks alone;
   Workers workers(settings.threads, {}, alone);
   Tally tally(scene, receivers.points.size(), found.replicates);
-  Schedule schedule(settings, tally, limit, false);
+  Schedule schedule(settings, tally, estimator->pace(), limit, false);
   estimator->prepare(workers, tally);
   workers.only(replicate);
   found.fixed = photometric(tally.fixed(receiver), scene.bands());

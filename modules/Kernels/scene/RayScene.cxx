@@ -84,12 +84,16 @@ RTCRay makeRay(const Vec3& origin, const Vec3& direction, float far)
 // The first `count` segments as rays that end `far` of their lengths away.
 void fill(const SegmentPacket& segments, int count, float far, int* valid, RTCRay16& rays)
 {
-  std::memcpy(rays.org_x, segments.ox, sizeof segments.ox);
-  std::memcpy(rays.org_y, segments.oy, sizeof segments.oy);
-  std::memcpy(rays.org_z, segments.oz, sizeof segments.oz);
-  std::memcpy(rays.dir_x, segments.dx, sizeof segments.dx);
-  std::memcpy(rays.dir_y, segments.dy, sizeof segments.dy);
-  std::memcpy(rays.dir_z, segments.dz, sizeof segments.dz);
+  // Embree with assertions, as Debian has it, wants numbers in lanes that are not valid, too.
+  auto copy = [count](const float* from, float* to) {
+    std::fill(std::copy_n(from, count, to), to + SegmentPacket::width, *from);
+  };
+  copy(segments.ox, rays.org_x);
+  copy(segments.oy, rays.org_y);
+  copy(segments.oz, rays.org_z);
+  copy(segments.dx, rays.dir_x);
+  copy(segments.dy, rays.dir_y);
+  copy(segments.dz, rays.dir_z);
   for (int i = 0; i < SegmentPacket::width; ++i)
   {
     valid[i] = i < count ? -1 : 0;
