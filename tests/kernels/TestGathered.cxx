@@ -141,6 +141,22 @@ TEST(GatherPattern, RaysAreCosineWeightedAndStratified)
   EXPECT_LT(squares[1], 0.05 * squares[0]);
 }
 
+// Rays of one packet go into one direction, roughly: over the hemisphere, the mean of sixteen would be 2/3 long.
+TEST(GatherPattern, PacketsAreNarrow)
+{
+  constexpr int count = 256;
+  const GatherPattern pattern(Sampling::Sobol, 7, 0, count);
+  for (int begin = 0; begin < count; begin += SegmentPacket::width)
+  {
+    SegmentPacket packet;
+    pattern.rays({0, 0, 0}, {0, 0, 1}, 8, begin, packet);
+    Vec3 mean;
+    for (int i = 0; i < SegmentPacket::width; ++i)
+      mean += (1.0 / SegmentPacket::width) * Vec3{packet.dx[i], packet.dy[i], packet.dz[i]};
+    EXPECT_GT(length(mean), 0.9);
+  }
+}
+
 // 20 receivers within 6.1 standard errors (7 degrees of freedom: false alarm 1e-2 over all), at edges too.
 TEST(Gathered, FurnaceIsExact)
 {

@@ -231,6 +231,32 @@ TEST(LuminaireChoice, OneOfManyHasTheMeanOfAll)
   EXPECT_GT(near, 5);
 }
 
+// Shadow rays in packets find what single ones find, with the same random numbers.
+TEST(LuminaireChoice, PacketsOfSensorsSeeWhatEachSees)
+{
+  SceneDescription d = lit(3);
+  rooms::addBox(d, {1.5, 1, 0.5}, {3, 2.5, 3.5}, 0, false);
+  const Scene scene(d);
+  const DirectLight light(scene, false, true);
+  const std::vector<Sensor> all = sensors(scene, 40 * SegmentPacket::width);
+  int lighted = 0, dark = 0;
+  for (std::size_t begin = 0; begin < all.size(); begin += SegmentPacket::width)
+  {
+    const int count = begin % 3 == 0 ? SegmentPacket::width : 11;
+    SampleStream together(Sampling::Independent, 8, 0, Purpose::DirectLight, begin), alone = together;
+    Bands found[SegmentPacket::width];
+    light.sample(&all[begin], count, together, found);
+    for (int i = 0; i < count; ++i)
+    {
+      const double e = light.sample(all[begin + static_cast<std::size_t>(i)], alone)[0];
+      EXPECT_DOUBLE_EQ(found[i][0], e) << begin + static_cast<std::size_t>(i);
+      ++(e > 0 ? lighted : dark);
+    }
+  }
+  EXPECT_GT(lighted, 100);
+  EXPECT_GT(dark, 100);
+}
+
 // A glossy sensor: several rectangles together are what each is alone. 4.5 standard errors.
 TEST(LuminaireChoice, GlossSeesTheSumOfRectangles)
 {

@@ -76,8 +76,8 @@ GatherPattern::GatherPattern(Sampling sampling, std::uint64_t key, long long fir
     points.push_back({bits[0], bits[1], interleave(bits[1] >> 16, bits[0] >> 16)});
   }
   std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.place < b.place; });
-  const auto padded = static_cast<std::size_t>((count + width - 1) / width * width);
-  points.resize(padded, points.back());
+  const int padded = (count + width - 1) / width * width;
+  points.resize(static_cast<std::size_t>(padded), points.back());
   for (const Point& point : points)
   {
     this->Height.push_back(point.height);
