@@ -120,15 +120,15 @@ private slots:
     const ScenePtr scene = this->furnace();
     MethodSettings settings;
     settings.goal = Goal::Error;
-    settings.relativeError = 0.05;
+    settings.relativeError = 0.01;
     Run run(scene, scene->receivers({"desk"}), settings);
     QSignalSpy ended(&run, &Run::ended);
     QVERIFY(ended.wait(60000));
     QCOMPARE(run.state(), Run::State::Finished);
     // Half-width of the 95 % interval, Student with 31 degrees of freedom.
-    QVERIFY2(2.0395 * run.result()->quality.largest <= 0.05,
+    QVERIFY2(2.0395 * run.result()->quality.largest <= 0.01,
              qPrintable(QString::number(run.result()->quality.largest)));
-    QVERIFY(run.result()->quality.largest > 0.005);
+    QVERIFY2(run.result()->quality.largest > 0.002, qPrintable(QString::number(run.result()->quality.largest)));
   }
 
   void failureHasItsReason()
