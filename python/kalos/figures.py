@@ -77,10 +77,10 @@ def near_edges(data, name, reflectance, seed, say, seeds, trajectories):
     say(f"  slowest: {slowest:.2f} times the middle's time, expected at most 3: {verdict(slowest <= 3)}")
     say(f"  mean off by at most {100 * abs(far[3]):.3f} ± {100 * far[4]:.3f} %, over all receivers {100 * overall.mean():+.3f} ± "
         f"{100 * overall.std(ddof=1) / np.sqrt(seeds):.3f} %, expected 0.1 %: {verdict(right)}")
-    # A true 95 % interval leaves that range over 200 seeds once in 100 times: one receiver may.
+    # A true 95 % interval leaves that range over 200 seeds once in 98 times; three of 31 receivers do so once in 260 runs.
     say(f"  95 % intervals hold the truth in {100 * min(row[5] for row in rows):.1f} to {100 * max(row[5] for row in rows):.1f} % of "
-        f"the seeds, expected 90 to 98; outside: {out} of {len(rows)} receivers: {verdict(out <= 1)}")
-    return slowest <= 3 and right and out <= 1
+        f"the seeds, expected 90 to 98; outside: {out} of {len(rows)} receivers: {verdict(out <= 2)}")
+    return slowest <= 3 and right and out <= 2
 
 
 def solve_points(path, points, normals, options):

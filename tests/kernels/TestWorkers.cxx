@@ -27,3 +27,33 @@ TEST(Workers, RestWhileProgressIsTold)
   EXPECT_EQ(begun, tasks);
   EXPECT_GE(told, 3);
 }
+
+// A step of a span tells of its part of it alone, and the next span forgets the steps.
+TEST(Workers, StepsShareTheSpan)
+{
+  const Ranks alone;
+  std::vector<double> told;
+  Workers workers(
+      1,
+      [&](double fraction) {
+        told.push_back(fraction);
+        return true;
+      },
+      alone);
+  auto work = [&] {
+    told.clear();
+    EXPECT_TRUE(workers.forEach(3, [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(60)); }));
+    ASSERT_EQ(told.size(), 3u);
+  };
+  workers.setSpan(0.2, 0.6);
+  workers.setStep(0, 4);
+  work();
+  EXPECT_NEAR(told.front(), 0.2 + 0.1 / 3, 1e-12);
+  EXPECT_NEAR(told.back(), 0.3, 1e-12);
+  workers.setStep(3, 4);
+  work();
+  EXPECT_NEAR(told.back(), 0.6, 1e-12);
+  workers.setSpan(0.6, 1);
+  work();
+  EXPECT_NEAR(told.back(), 1, 1e-12);
+}

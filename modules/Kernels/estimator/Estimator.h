@@ -15,8 +15,9 @@ namespace kalos
 /// How a method goes through its trajectories.
 struct Pace
 {
-  int multiple = 1;  ///< rounds are multiples of so many trajectories of a replicate, but for the last
-  double work = 1;   ///< at a receiver per trajectory, in scores of a trajectory's vertices
+  int multiple = 1;    ///< rounds are multiples of so many trajectories of a replicate, but for the last
+  int smallest = 256;  ///< trajectories of a replicate that a round may always have
+  double work = 1;     ///< at a receiver per trajectory, in scores of a trajectory's vertices
 };
 
 class Estimator

@@ -50,6 +50,7 @@ private:
   struct Replicate
   {
     GatherPool pool;
+    float cellShare = 0;  // of the distance that a cell is seen from, its width
     SurfaceCache cache;
     std::vector<double> indirect;  // lx, bands() values per cell
   };
@@ -61,6 +62,8 @@ private:
     double rays = 0, shared = 0;
     double cells = 0;  // of the whole replicate, with its first tile
   };
+  bool addReplicates(Workers::Replicates some, std::vector<Replicate>& round, long long first, int rays,
+                     const std::function<void()>& nextPhase, Workers& workers, Tally& tally);
   void look(std::size_t tile, int replicate, const Replicate& round, int rays, Looks& looks, Tally& tally) const;
   void lookAt(std::size_t receiver, int replicate, const Replicate& round, const GatherPattern& pattern, Looks& looks,
               Tally& tally) const;

@@ -12,16 +12,6 @@ namespace
 {
 constexpr int checkEvery = 64;  // shared hits, for each that is estimated at its own place too
 
-// Width of cells over the distance that they are seen from, before it is rounded down to a power of two, for so many
-// rays of a receiver in a round of one replicate. Where few rays share a cell it takes more time than it saves noise:
-// with a quarter for 16 rays, a floor took 1.5 times longer to the same error. With 128 for `enough` it took an eighth
-// less time at 64 rays, but dark places behind a box came out 3 % too bright at 40.
-float cellShare(int rays)
-{
-  constexpr float finest = 0.25f, widest = 1, enough = 64;
-  return std::clamp(finest * enough / static_cast<float>(rays), finest, widest);
-}
-
 constexpr Gathering::Start whole(bool seesEmission)
 {
   return {std::numeric_limits<double>::infinity(), seesEmission};
@@ -76,7 +66,6 @@ void GatheredEstimation::lookAt(std::size_t r, int replicate, const Replicate& r
   constexpr int width = SegmentPacket::width;
   const Sensor& sensor = this->Direct.sensors()[r];
   const std::uint64_t key = mixBits(this->Wanted.seed + r) + static_cast<std::uint64_t>(replicate);
-  const float share = cellShare(pattern.size());
   SegmentPacket packet;
   HitPacket found;
   for (int begin = 0; begin < pattern.size(); begin += width)
@@ -97,7 +86,7 @@ void GatheredEstimation::lookAt(std::size_t r, int replicate, const Replicate& r
                      0};
       if (this->Lit.brdf(triangle).isLambertian())
       {
-        hit.cell = cellKey(face, hit, t, share);
+        hit.cell = cellKey(face, hit, t, round.cellShare);
         looks.hits.push_back(hit);
         continue;
       }

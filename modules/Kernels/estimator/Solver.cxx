@@ -19,9 +19,8 @@ namespace kalos
 namespace
 {
 constexpr long long unlimited = std::numeric_limits<long long>::max() / 64;
-constexpr int largestRound = 8192;  // trajectories per replicate: bounds the memory of the vertices
-constexpr int firstRound = 64;      // with a goal: enough for a first standard error
-constexpr int smallestRound = 256;
+constexpr int largestRound = 8192;       // trajectories per replicate: bounds the memory of the vertices
+constexpr int firstRound = 64;           // with a goal: enough for a first standard error
 constexpr double largestWork = 1 << 25;  // scores of trajectories: a stop loses the round that it interrupts
 
 void check(const Receivers& receivers, const Settings& s)
@@ -53,6 +52,7 @@ public:
         Shown(shown),
         Limit((limit + tally.replicates() - 1) / tally.replicates()),
         Multiple(pace.multiple),
+        LargestRound(pace.smallest),
         Wished(settings, tally.replicates())
   {
     // A power of two: the points of a stratified sequence are even over as many.
@@ -104,7 +104,7 @@ private:
   Settings Wanted;
   bool Shown;
   long long Limit;
-  int Multiple, LargestRound = smallestRound;
+  int Multiple, LargestRound;
   Goal Wished;
   double Fraction = 0;
 };

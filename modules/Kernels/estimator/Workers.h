@@ -62,15 +62,34 @@ public:
   /// From now on forEachReplicate() runs this replicate alone.
   void only(int replicate) { this->Only = replicate; }
 
-  /// Runs body(replicate, part) for every part in [0, parts) of those of `replicates` that this rank owns.
+  /// Replicates [first, last).
+  struct Replicates
+  {
+    int first, last;
+  };
+
+  /// Those of `replicates` that this rank owns.
+  Replicates mine(int replicates) const
+  {
+    if (this->Only >= 0)
+      return {this->Only, this->Only + 1};
+    const int rank = this->Sharing.rank();
+    return {this->Sharing.firstReplicate(rank, replicates), this->Sharing.firstReplicate(rank + 1, replicates)};
+  }
+
+  /// Runs body(replicate, part) for every part in [0, parts) of these replicates.
+  template <class Body>
+  bool forEachReplicate(Replicates some, std::size_t parts, const Body& body)
+  {
+    const int count = some.last - some.first;
+    return this->forEach(parts * static_cast<std::size_t>(count),
+                         [&](std::size_t i) { body(some.first + static_cast<int>(i % count), i / count); });
+  }
+  /// The same for those of `replicates` that this rank owns.
   template <class Body>
   bool forEachReplicate(int replicates, std::size_t parts, const Body& body)
   {
-    const bool all = this->Only < 0;
-    const int first = all ? this->Sharing.firstReplicate(this->Sharing.rank(), replicates) : this->Only;
-    const int count = all ? this->Sharing.firstReplicate(this->Sharing.rank() + 1, replicates) - first : 1;
-    return this->forEach(parts * static_cast<std::size_t>(count),
-                         [&](std::size_t i) { body(first + static_cast<int>(i % count), i / count); });
+    return this->forEachReplicate(this->mine(replicates), parts, body);
   }
 
   /// The next forEach() covers this part of the whole work.
@@ -78,6 +97,14 @@ public:
   {
     this->From = from;
     this->To = to;
+    this->setStep(0, 1);
+  }
+
+  /// The next forEach() covers this one of so many equal steps of the span.
+  void setStep(int step, int steps)
+  {
+    this->Step = step;
+    this->Steps = steps;
   }
 
   bool aborted() const { return this->Aborted; }
@@ -94,8 +121,8 @@ private:
     if (now - this->LastTold < std::chrono::milliseconds(50))
       return;
     this->LastTold = now;
-    this->Told =
-        std::max(this->Told, this->From + fraction * (this->To - this->From));  // goals move, progress does not
+    const double done = (this->Step + fraction) / this->Steps;
+    this->Told = std::max(this->Told, this->From + done * (this->To - this->From));  // goals move, progress does not
     const std::lock_guard<std::mutex> closed(this->Gate);
     if (!this->Report(this->Told))
       this->Aborted = true;
@@ -109,7 +136,7 @@ private:
   std::chrono::steady_clock::time_point LastTold{};
   std::atomic<bool> Aborted{false};
   std::mutex Gate;
-  int Only = -1;
+  int Only = -1, Step = 0, Steps = 1;
   double Telling = 0, From = 0, To = 0, Told = 0;  // what comes before the first span is no progress
 };
 }  // namespace kalos
