@@ -65,7 +65,7 @@ def probes():
 
 
 def checkpoints():
-    yield b"\0KALOSCP1" + bytes(24)
+    yield b"\0KALOSCP2" + bytes(24)
     for kind in (1, 2, 3):  # nothing changed, a byte changed, cut short
         yield bytes([kind])
         yield bytes([kind, 40, 0, 7])

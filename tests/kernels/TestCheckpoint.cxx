@@ -71,6 +71,32 @@ void expectSame(const Result& a, const Result& b)
     EXPECT_EQ(a.audit[i].choice, b.audit[i].choice);
 }
 
+// A solve, and from each of its checkpoints again; `shelf` is where its settings keep them.
+Result expectResumed(const Receivers& receivers, Settings s, Shelf& shelf)
+{
+  const Scene scene(room());
+  const Result whole = solve(scene, receivers, s);
+  s.checkpoint = nullptr;
+  expectSame(solve(scene, receivers, s), whole);
+  EXPECT_GE(shelf.Saved.size(), 3u);
+  for (std::size_t i = 0; i < shelf.Saved.size(); ++i)
+  {
+    Shelf again;
+    again.Given = shelf.Saved[i];
+    s.checkpoint = &again;
+    s.threads = 3;
+    const Result resumed = solve(scene, receivers, s);
+    expectSame(resumed, whole);
+    EXPECT_GE(resumed.rays, whole.rays);
+    if (i + 1 == shelf.Saved.size())
+    {
+      EXPECT_GT(resumed.seconds, 0.5 * whole.seconds) << "nothing is left to do, and the time before counts";
+    }
+    EXPECT_EQ(again.Saved.size(), shelf.Saved.size() - 1 - i);
+  }
+  return whole;
+}
+
 // What is said about a checkpoint; empty when the solve went on from it.
 std::string refusal(const std::string& bytes,
                     const std::function<void(SceneDescription&, Receivers&, Settings&)>& change)
@@ -107,31 +133,34 @@ std::string checkpointOfLocal()
 // From each round of each method, with another number of threads, to bitwise the same end.
 TEST(Checkpoint, ResumedSolvesGiveBitwiseTheSameNumbers)
 {
-  const Scene scene(room());
   for (const Method method : {Method::Local, Method::SpherePublished, Method::SphereExact, Method::Disc,
                               Method::Clamped, Method::Compensated, Method::Gathered, Method::Direct})
   {
     Shelf shelf;
-    Settings s = settings(method, shelf);
-    const Result whole = solve(scene, points(), s);
-    s.checkpoint = nullptr;
-    expectSame(solve(scene, points(), s), whole);
-    ASSERT_GE(shelf.Saved.size(), 3u);
-    for (std::size_t i = 0; i < shelf.Saved.size(); ++i)
+    expectResumed(points(), settings(method, shelf), shelf);
+  }
+}
+
+// With a goal, receivers rest that have enough: who does is the same again.
+TEST(Checkpoint, ResumedSolvesLetTheSameReceiversRest)
+{
+  for (const Method method : {Method::Compensated, Method::Gathered})
+  {
+    Receivers r = points();
+    for (int i = 0; i < 12; ++i)
     {
-      Shelf again;
-      again.Given = shelf.Saved[i];
-      s.checkpoint = &again;
-      s.threads = 3;
-      const Result resumed = solve(scene, points(), s);
-      expectSame(resumed, whole);
-      EXPECT_GE(resumed.rays, whole.rays);
-      if (i + 1 == shelf.Saved.size())
-      {
-        EXPECT_GT(resumed.seconds, 0.5 * whole.seconds) << "nothing is left to do, and the time before counts";
-      }
-      EXPECT_EQ(again.Saved.size(), shelf.Saved.size() - 1 - i);
+      r.points.push_back({2.5, 0.2 + 0.05 * i, 2.5});  // in the open
+      r.normals.push_back({0, 0, 1});
     }
+    Shelf shelf;
+    Settings s = settings(method, shelf);
+    s.trajectories *= 8;
+    s.relativeError = 0.006;
+    const Result whole = expectResumed(r, s, shelf);
+    const auto spared = std::find_if(whole.audit.begin(), whole.audit.end(),
+                                     [](const AuditLine& line) { return line.subject == "effort"; });
+    ASSERT_NE(spared, whole.audit.end());
+    EXPECT_LT(std::stod(spared->choice), 99.9);
   }
 }
 

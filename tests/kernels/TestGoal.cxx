@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
-#include "estimator/Goal.h"
+#include "estimator/EffortPlan.h"
 #include "estimator/Solver.h"
 
 using namespace kalos;
@@ -12,14 +12,15 @@ namespace
 {
 constexpr int replicates = 16;
 
-// Two receivers of 100 lx and 0.01 lx whose replicates alternate by `spread` lx about that, and one that is dark.
-Tally alternating(double spread)
+// Two receivers of 100 lx and 0.01 lx whose replicates alternate by `spread` lx about that, and one that is dark; after
+// n trajectories of each.
+Tally alternating(double spread, double n = 1)
 {
   Tally tally(Scene(rooms::litRoom(0.5)), 3, replicates);
   for (int p = 0; p < replicates; ++p)
   {
-    *tally.total(0, p) = 100 + (p % 2 ? spread : -spread);
-    *tally.total(1, p) = 0.01 + (p % 2 ? spread : -spread);
+    *tally.total(0, p) = n * (100 + (p % 2 ? spread : -spread));
+    *tally.total(1, p) = n * (0.01 + (p % 2 ? spread : -spread));
   }
   return tally;
 }
@@ -90,6 +91,75 @@ TEST(Goal, EndsWhereHardlyAnyLightComes)
   EXPECT_EQ(result.goal, (std::vector<char>{below, within, within}));
   EXPECT_LT(result.trajectories, s.trajectories / 16);
   EXPECT_NE(reasonOfError(result), "");
+}
+
+// Distances of 0.55034 * 0.9 / 1 and 0.55034 * 0.9 / 0.5, and nothing in the dark: the mean square of all three,
+// neighbours of each other, times the pilot's trajectories.
+TEST(EffortPlan, NeedsAreTheSquaresOfDistancesAmongNeighbours)
+{
+  Settings s;
+  s.relativeError = 0.01;
+  s.errorFloor = 0.5;
+  const Goal goal(s, replicates);
+  const long long n = EffortPlan::pilotTrajectories;
+  const EffortPlan plan(goal, alternating(0.9, n));
+  const double first = 0.55034 * 0.9, second = 2 * first, needed = n * (first * first + second * second) / 3;
+  for (const double each : plan.needed())
+    EXPECT_NEAR(each, needed, 1e-3 * needed);
+  // Enough by the plan, and by the interval: the second receiver is 0.99 of the way beyond.
+  const auto enough = static_cast<long long>(needed) + 1;
+  EXPECT_EQ(plan.resting(goal, alternating(0.9, enough), enough), (std::vector<char>{1, 1, 1}));
+  EXPECT_EQ(plan.resting(goal, alternating(1.1, enough), enough), (std::vector<char>{1, 0, 1}));
+  EXPECT_EQ(plan.resting(goal, alternating(0.9, enough - 2), enough - 2), (std::vector<char>{0, 0, 0}));
+}
+
+// Who rests keeps mean and error while the others' sums are divided by more and more trajectories.
+TEST(EffortPlan, RestingReceiversKeepTheirEstimates)
+{
+  Tally tally = alternating(0.9);
+  tally.noteScore(0, 0, 30);
+  const MeanAndError before = tally.summary(0, 1);
+  const double share = tally.largestShare(0, 1);
+  tally.rest({1, 0, 0});
+  EXPECT_EQ(tally.active(), 2u);
+  tally.keepResting(1, 3);
+  tally.keepResting(4, 6);
+  EXPECT_NEAR(tally.summary(0, 10).mean, before.mean, 1e-9 * before.mean);
+  EXPECT_NEAR(tally.summary(0, 10).standardError, before.standardError, 1e-9);
+  EXPECT_NEAR(tally.largestShare(0, 10), share, 1e-12);
+  EXPECT_EQ(tally.trajectories(0, 10), 1);
+  EXPECT_EQ(tally.trajectories(1, 10), 10);
+  EXPECT_NEAR(tally.summary(1, 10).mean, 0.001, 1e-9);
+}
+
+// 60 receivers, some beside a box and some in the open, to 2 %: the same values with less work, each within 7.9
+// standard errors (7 degrees of freedom: false alarm 6e-3 over all).
+TEST(EffortPlan, SavesWorkAndMovesNoValue)
+{
+  SceneDescription room = rooms::litRoom(0.5);
+  rooms::addBox(room, {1, 1, 0}, {1, 1.5, 2}, 0, false);
+  const Scene scene(room);
+  Receivers receivers;
+  for (int i = 0; i < 60; ++i)
+    receivers.points.push_back({i < 12 ? 0.05 + 0.07 * i : 2.2 + 0.04 * i, 1.6, 0});
+  receivers.normals.assign(receivers.points.size(), {0, 0, 1});
+  for (const Method method : {Method::Gathered, Method::Compensated})
+  {
+    Settings s;
+    s.method = method;
+    s.relativeError = 0.02;
+    const Result planned = solve(scene, receivers, s);
+    s.evenEffort = true;
+    s.seed = 2;
+    const Result even = solve(scene, receivers, s);
+    EXPECT_LT(planned.rays, 0.8 * even.rays);
+    for (std::size_t i = 0; i < receivers.points.size(); ++i)
+    {
+      const double error = std::hypot(planned.standardError[i], even.standardError[i]);
+      EXPECT_NEAR(planned.illuminance[i], even.illuminance[i], 7.9 * error + 0.002 * even.illuminance[i]) << i;
+      EXPECT_NE(planned.goal[i], missed);
+    }
+  }
 }
 
 TEST(Goal, SaysWhatWasMissedAndWhy)

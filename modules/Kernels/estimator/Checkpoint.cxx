@@ -15,7 +15,7 @@ namespace kalos
 {
 namespace
 {
-const std::string magic = "KALOSCP1";
+const std::string magic = "KALOSCP2";
 
 std::string word(std::uint64_t value)
 {
@@ -59,6 +59,7 @@ void visit(Archive& archive, Done& done, Tally& tally, Estimator& estimator)
   archive.value(done.seconds);
   archive.value(done.cpuSeconds);
   archive.value(done.rays);
+  archive.value(done.planned);
   tally.persist(archive);
   estimator.persist(archive);
 }

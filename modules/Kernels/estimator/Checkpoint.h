@@ -3,7 +3,7 @@
 // keyed by what they are for, so sums and counters are all there is to keep, and the resumed run gives bitwise the
 // numbers of one that was never ended.
 //
-// Form: the word KALOSCP1; the length and the text of the identity, lines `name<TAB>value`; the length and the bytes of
+// Form: the word KALOSCP2; the length and the text of the identity, lines `name<TAB>value`; the length and the bytes of
 // the state; the fingerprint of all that. Lengths and fingerprint are 64-bit words in the machine's byte order.
 #ifndef kalos_estimator_Checkpoint_h
 #define kalos_estimator_Checkpoint_h
@@ -51,6 +51,7 @@ struct Done
   long long trajectories = 0;  ///< per replicate
   double seconds = 0, cpuSeconds = 0;
   long long rays = 0;
+  long long planned = 0;  ///< whether effort is planned (estimator/EffortPlan.h): 0 not decided yet, 1 no, 2 yes
 };
 
 /// The checkpoint of one solve; without a store every call does nothing.

@@ -49,11 +49,13 @@ bool CompensatedEstimation::addRound(long long first, int count, Workers& worker
         const std::size_t end = std::min(tally.receivers(), (tile + 1) * tileSize);
         for (std::size_t r = tile * tileSize; r < end; ++r)
         {
+          if (tally.rests(r))
+            continue;
           this->Light.score(this->Direct.sensors()[r], r, replicate, round, this->Direct.exactMeshes(r), tally);
           this->Direct.score(r, replicate, first, count, tally);
         }
       });
-  this->Light.finish(round);
+  this->Light.finish(round, tally);
   return scored;
 }
 

@@ -26,6 +26,7 @@ public:
 
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
+  bool letsRest() const override { return true; }
   void persist(Archive& archive) override { this->Light.persist(archive); }
   std::vector<double> gatherRays() const override;
   std::vector<AuditLine> audit() const override;

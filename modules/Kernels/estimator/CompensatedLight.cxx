@@ -108,10 +108,10 @@ void CompensatedLight::score(const Sensor& sensor, std::size_t r, int replicate,
   this->scoreGathered(sensor, r, replicate, round, exactMeshes, tally);
 }
 
-void CompensatedLight::finish(const Round& round)
+void CompensatedLight::finish(const Round& round, const Tally& tally)
 {
   for (std::size_t r = 0; r < this->RaysDone.size(); ++r)
-    this->RaysDone[r] += this->rays(r, round);
+    this->RaysDone[r] += tally.rests(r) ? 0 : this->rays(r, round);
   this->TrajectoriesDone += round.count;
 }
 

@@ -43,8 +43,8 @@ public:
   void score(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
              Tally& tally) const;
 
-  /// A round has been scored at all sensors.
-  void finish(const Round& round);
+  /// A round has been scored at all sensors that did not rest.
+  void finish(const Round& round, const Tally& tally);
 
   /// Saves or restores what rounds leave behind.
   void persist(Archive& archive)

@@ -153,7 +153,8 @@ bool DirectPart::scoreAll(long long first, int count, Workers& workers, Tally& t
   return workers.forEachReplicate(
       tally.replicates(), tileCount(tally.receivers()), [&](int replicate, std::size_t tile) {
         for (std::size_t r = tile * tileSize; r < std::min(tally.receivers(), (tile + 1) * tileSize); ++r)
-          this->score(r, replicate, first, count, tally);
+          if (!tally.rests(r))
+            this->score(r, replicate, first, count, tally);
       });
 }
 

@@ -53,6 +53,9 @@ public:
   /// Independent replicates to run for `trajectories`, over all of them.
   virtual int replicates(long long trajectories) const { return replicateCount(trajectories); }
 
+  /// Whether addRound() skips receivers that rest.
+  virtual bool letsRest() const { return false; }
+
   virtual Pace pace() const { return {}; }
 
   /// Whether Tally::correction() means something.

@@ -81,12 +81,12 @@ bool GatheredEstimation::addRound(long long first, int count, Workers& workers, 
   for (int p = 0; p < this->Replicates; ++p)
   {
     round[p].pool = {&pools[p], count};
-    round[p].cellShare = cellShare(rays, tally.receivers());
+    round[p].cellShare = cellShare(rays, tally.active());
   }
 
   // As many replicates at a time as there is room for their hits.
   const Workers::Replicates mine = workers.mine(this->Replicates);
-  const double hits = static_cast<double>(rays) * static_cast<double>(tally.receivers());
+  const double hits = static_cast<double>(rays) * static_cast<double>(tally.active());
   const int together = static_cast<int>(std::clamp(largestHits / hits, 1.0, static_cast<double>(this->Replicates)));
   const int steps = phases * ((mine.last - mine.first + together - 1) / together);
   bool going = true;
@@ -143,7 +143,8 @@ bool GatheredEstimation::addReplicates(Workers::Replicates some, std::vector<Rep
     this->collect(tile, p, round[p], rays, looksOf(tile, p), tally, this->Checks[tile * this->Replicates + p]);
     const std::size_t end = std::min(tally.receivers(), (tile + 1) * tileSize);
     for (std::size_t r = tile * tileSize; r < end; ++r)
-      this->Direct.score(r, p, first, round[p].pool.trajectories, tally);
+      if (!tally.rests(r))
+        this->Direct.score(r, p, first, round[p].pool.trajectories, tally);
   });
   for (int p = some.first; p < some.last; ++p)
   {

@@ -33,6 +33,7 @@ public:
 
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
+  bool letsRest() const override { return true; }
   int replicates(long long trajectories) const override;
   Pace pace() const override;
   void exchange(const Ranks& ranks) override;

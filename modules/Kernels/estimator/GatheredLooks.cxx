@@ -34,6 +34,11 @@ void GatheredEstimation::look(std::size_t tile, int replicate, const Replicate& 
   const GatherPattern pattern(this->Wanted.sampling, key, this->RaysDone, rays);
   for (std::size_t r = tile * tileSize; r < std::min(sensors.size(), (tile + 1) * tileSize); ++r)
   {
+    if (tally.rests(r))
+    {
+      looks.ends.push_back(looks.hits.size());
+      continue;
+    }
     if (!sensors[r].brdf)
       this->lookAt(r, replicate, round, pattern, looks, tally);
     else
@@ -156,6 +161,11 @@ void GatheredEstimation::collect(std::size_t tile, int replicate, const Replicat
   std::size_t begin = 0, r = tile * tileSize;
   for (const std::size_t end : looks.ends)
   {
+    if (tally.rests(r))
+    {
+      ++r;
+      continue;
+    }
     const bool exactMeshes = this->Direct.exactMeshes(r);
     Bands sum{}, emission{}, lamps[SegmentPacket::width];
     double largest = 0;

@@ -17,7 +17,7 @@ double Goal::floorFor(double meanIlluminance) const
   return this->Floor >= 0 ? this->Floor : dim * this->RelativeError * meanIlluminance;
 }
 
-double Goal::distance(const Tally& tally, long long n) const
+std::vector<double> Goal::distances(const Tally& tally, long long n) const
 {
   std::vector<MeanAndError> found;
   double sum = 0;
@@ -27,12 +27,18 @@ double Goal::distance(const Tally& tally, long long n) const
     sum += found.back().mean;
   }
   const double floor = this->floorFor(sum / static_cast<double>(std::max<std::size_t>(1, found.size())));
-  double largest = 0;
+  std::vector<double> distances;
   for (const MeanAndError& m : found)
-    if (m.standardError > 0)
-      largest =
-          std::max(largest, this->Quantile * m.standardError / std::max(floor, this->RelativeError * std::abs(m.mean)));
-  return largest;
+    distances.push_back(m.standardError > 0
+                            ? this->Quantile * m.standardError / std::max(floor, this->RelativeError * std::abs(m.mean))
+                            : 0);
+  return distances;
+}
+
+double Goal::distance(const Tally& tally, long long n) const
+{
+  const std::vector<double> all = this->distances(tally, n);
+  return all.empty() ? 0 : *std::max_element(all.begin(), all.end());
 }
 
 void Goal::judge(Result& result) const

@@ -27,6 +27,9 @@ public:
   /// Largest half-width over what is allowed, after n trajectories of every replicate; reached at 1.
   double distance(const Tally& tally, long long n) const;
 
+  /// The same for every receiver, in their order; 0 where nothing fluctuates.
+  std::vector<double> distances(const Tally& tally, long long n) const;
+
   /// Fills Result::goal and Result::errorFloor from the values of the result.
   void judge(Result& result) const;
 

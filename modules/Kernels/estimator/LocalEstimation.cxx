@@ -59,6 +59,8 @@ bool LocalEstimation::addRound(long long first, int count, Workers& workers, Tal
     const std::size_t end = std::min(tally.receivers(), (tile + 1) * tileSize);
     for (std::size_t r = tile * tileSize; r < end; ++r)
     {
+      if (tally.rests(r))
+        continue;
       double* total = tally.total(r, replicate);
       this->scoreVertices(r, replicate, pools[replicate].reflected, tally, total);
       this->scoreVertices(r, replicate, pools[replicate].glossy, tally, total);

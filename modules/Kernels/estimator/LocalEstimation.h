@@ -25,6 +25,7 @@ public:
 
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
+  bool letsRest() const override { return true; }
   bool trusts(std::size_t receiver, long long trajectories) const override;
   bool altersKernel() const override { return this->Alteration != nullptr; }
   std::vector<AuditLine> audit() const override;

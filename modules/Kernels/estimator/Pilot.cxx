@@ -39,6 +39,7 @@ Pilot::Pilot(const Scene& scene, const Emission& emission, const Walks& walks)
   this->split(0, {}, half, points, 0);
 
   std::vector<double> densities;
+  densities.reserve(points.size() + 1);
   for (const Collision& c : points)
     densities.push_back(this->density(c.position));
   if (densities.empty())

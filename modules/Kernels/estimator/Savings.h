@@ -4,6 +4,8 @@
 //   picked         shadow rays to vertices picked by their unshadowed scores; without: one to every pair that scores
 //   convex         no shadow rays where the audit shows that nothing can occlude
 //   near           gather rays only at receivers with a surface near in front
+//   paths          no vertices where paths from the receivers alone win a trial (estimator/PathTrial.h)
+//   effort         receivers that have enough for the goal rest (estimator/EffortPlan.h)
 //   exact-direct   area emitters by Lambert's polygon formula, only what hides them sampled; without: all sampled, and
 //                  emitting meshes by the starts of trajectories
 #ifndef kalos_estimator_Savings_h

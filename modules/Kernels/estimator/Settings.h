@@ -47,6 +47,7 @@ struct Settings
   bool shadowEveryPair = false;    ///< a shadow ray for every pair that scores
   bool shadowConvexRooms = false;  ///< shadow rays where nothing can occlude
   bool alwaysVertices = false;     ///< vertices score where paths from the receivers alone are better, too
+  bool evenEffort = false;         ///< all receivers go on until the last has reached the goal
   bool sampleDirect = false;       ///< area emitters are sampled, not known in closed form
 
   const Ranks* ranks = nullptr;  ///< processes that share the solve; null: this one alone

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "estimator/Checkpoint.h"
+#include "estimator/EffortPlan.h"
 #include "estimator/Estimator.h"
 #include "estimator/Goal.h"
 #include "estimator/Guard.h"
@@ -21,6 +22,7 @@ namespace
 constexpr long long unlimited = std::numeric_limits<long long>::max() / 64;
 constexpr int largestRound = 8192;       // trajectories per replicate: bounds the memory of the vertices
 constexpr int firstRound = 64;           // with a goal: enough for a first standard error
+constexpr double farFromGoal = 1.5;      // half-widths over what is allowed, from where a pilot pays
 constexpr double largestWork = 1 << 25;  // scores of trajectories: a stop loses the round that it interrupts
 
 void check(const Receivers& receivers, const Settings& s)
@@ -51,14 +53,9 @@ public:
       : Wanted(settings),
         Shown(shown),
         Limit((limit + tally.replicates() - 1) / tally.replicates()),
-        Multiple(pace.multiple),
-        LargestRound(pace.smallest),
+        Paced(pace),
         Wished(settings, tally.replicates())
   {
-    // A power of two: the points of a stratified sequence are even over as many.
-    const double scores = static_cast<double>(tally.receivers()) * tally.replicates() * pace.work;
-    while (2 * this->LargestRound <= largestRound && 2 * this->LargestRound * scores <= largestWork)
-      this->LargestRound *= 2;
   }
 
   bool hasGoal() const { return this->Wanted.relativeError > 0 || this->Wanted.seconds > 0; }
@@ -68,7 +65,7 @@ public:
     long long target = this->Limit;
     this->Fraction = static_cast<double>(done) / static_cast<double>(this->Limit);
     if (this->hasGoal())
-      target = std::max<long long>(firstRound, 4 * done);
+      target = std::max<long long>(firstRound, (tally.active() < tally.receivers() ? 2 : 4) * done);
     if (this->hasGoal() && done > 0)
     {
       if (this->Wanted.relativeError > 0 && done >= firstRound)
@@ -92,19 +89,30 @@ public:
     }
     if (this->Shown)
       target = std::min(target, done + std::max(1LL, done / 2));
-    const long long wished = (target - done + this->Multiple - 1) / this->Multiple * this->Multiple;
-    const long long count = std::min<long long>(this->LargestRound, wished), left = this->Limit - done;
-    return static_cast<int>(left < count + this->Multiple ? left : count);
+    const int multiple = this->Paced.multiple;
+    const long long wished = (target - done + multiple - 1) / multiple * multiple;
+    const long long count = std::min<long long>(this->largest(tally), wished), left = this->Limit - done;
+    return static_cast<int>(left < count + multiple ? left : count);
   }
 
   double fraction() const { return std::min(1.0, this->Fraction); }
   const Goal& goal() const { return this->Wished; }
 
 private:
+  // A power of two: the points of a stratified sequence are even over as many.
+  int largest(const Tally& tally) const
+  {
+    const double scores = static_cast<double>(tally.active()) * tally.replicates() * this->Paced.work;
+    int count = this->Paced.smallest;
+    while (2 * count <= largestRound && 2 * count * scores <= largestWork)
+      count *= 2;
+    return count;
+  }
+
   Settings Wanted;
   bool Shown;
   long long Limit;
-  int Multiple, LargestRound;
+  Pace Paced;
   Goal Wished;
   double Fraction = 0;
 };
@@ -126,7 +134,7 @@ void conclude(const Tally& tally, long long done, const Estimator& estimator, co
   for (std::size_t r = 0; r < tally.receivers(); ++r)
     result.trusted.push_back(tailIsLight(result.largestScoreShare[r], tally.largestStandsOut(r),
                                          {result.illuminance[r], result.standardError[r]}) &&
-                             estimator.trusts(r, result.trajectories));
+                             estimator.trusts(r, tally.trajectories(r, done) * tally.replicates()));
   goal.judge(result);
 }
 
@@ -146,6 +154,11 @@ AuditLine auditGoal(const Settings& settings, const Result& result)
           : result.aborted ? "stopped from outside before"
           : usedUp         ? "all trajectories allowed were used before"
                            : "the time was up before"};
+}
+
+bool plansEffort(const Settings& settings, const Estimator& estimator)
+{
+  return settings.relativeError > 0 && !settings.evenEffort && estimator.letsRest();
 }
 
 double secondsSince(std::chrono::steady_clock::time_point start)
@@ -186,12 +199,22 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   bool running = ranks.together([&] { return estimator->prepare(workers, tally); });
   if (running && settings.checkpoint)
     checkpoint.resume(identify(scene, receivers, settings, static_cast<bool>(snapshot)), before, tally, *estimator);
-  long long done = before.trajectories;
+  std::unique_ptr<EffortPlan> plan;
+  long long done = before.trajectories, planned = before.planned;
   if (done > 0)
     conclude(tally, done, *estimator, schedule.goal(), settings.keepReplicates, result);
   while (running)
   {
     clock();
+    if (planned == 0 && done >= EffortPlan::pilotTrajectories)
+      planned = plansEffort(settings, *estimator) && schedule.goal().distance(tally, done) > farFromGoal ? 2 : 1;
+    if (planned == 2 && !plan)
+      plan = planEffort(scene, receivers, settings, schedule.goal(), replicates, ranks, workers);
+    running = planned != 2 || plan;
+    if (!running)
+      break;
+    if (plan)
+      tally.rest(plan->resting(schedule.goal(), tally, done));
     const int count = schedule.next(done, ranks.agree(result.seconds), tally);
     if (count <= 0)
       break;
@@ -202,11 +225,13 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
     if (running)
     {
       tally.exchange(ranks);
+      if (done > 0)
+        tally.keepResting(done, count);
       estimator->exchange(ranks);
       guardScores(tally, scene, receivers, settings, done, count);
       conclude(tally, done += count, *estimator, schedule.goal(), settings.keepReplicates, result);
       clock();
-      checkpoint.keep({done, result.seconds, result.cpuSeconds, result.rays}, tally, *estimator);
+      checkpoint.keep({done, result.seconds, result.cpuSeconds, result.rays, planned}, tally, *estimator);
     }
     if (running && snapshot)
     {
@@ -226,6 +251,8 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
     result.audit.push_back(std::move(line));
   if (!result.goal.empty())
     result.audit.push_back(auditGoal(settings, result));
+  if (plan)
+    result.audit.push_back(auditEffort(tally, done));
   if (ranks.size() > 1)
     result.audit.push_back({"ranks", std::to_string(ranks.size()) + " processes",
                             std::to_string(replicates) + " replicates are shared out, scene and receivers replicated"});

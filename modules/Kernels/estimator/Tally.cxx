@@ -16,7 +16,10 @@ Tally::Tally(const Scene& scene, std::size_t receivers, int replicates)
       Total(receivers * replicates * BandCount),
       DirectPart(receivers * replicates * BandCount),
       Correction(receivers * replicates),
-      Largest(receivers * replicates)
+      Largest(receivers * replicates),
+      Resting(receivers),
+      Missed(receivers),
+      Active(receivers)
 {
 }
 
@@ -38,6 +41,35 @@ void Tally::exchange(const Ranks& ranks)
   });
 }
 
+void Tally::rest(std::vector<char> receivers)
+{
+  this->Resting = std::move(receivers);
+  this->Active = static_cast<std::size_t>(std::count(this->Resting.begin(), this->Resting.end(), 0));
+}
+
+void Tally::keepResting(long long first, int count)
+{
+  // Sums are divided by all trajectories: they grow as if the missed ones had scored like those before.
+  const double grown = static_cast<double>(first + count) / static_cast<double>(first);
+  for (std::size_t r = 0; r < this->Receivers; ++r)
+  {
+    if (!this->rests(r))
+      continue;
+    this->Missed[r] += count;
+    for (int p = 0; p < this->Replicates; ++p)
+    {
+      const std::size_t i = r * this->Replicates + p;
+      this->Correction[i] *= grown;
+      this->Largest[i] *= grown;
+      for (int b = 0; b < this->BandCount; ++b)
+      {
+        this->total(r, p)[b] *= grown;
+        this->direct(r, p)[b] *= grown;
+      }
+    }
+  }
+}
+
 bool Tally::sound(std::size_t receiver, int replicate) const
 {
   const std::size_t i = this->at(receiver, replicate);
@@ -52,6 +84,7 @@ void Tally::persist(Archive& archive)
 {
   for (std::vector<double>* sums : {&this->Fixed, &this->Total, &this->DirectPart, &this->Correction, &this->Largest})
     archive.array(*sums);
+  archive.array(this->Missed);
   this->Energy.persist(archive);
 }
 

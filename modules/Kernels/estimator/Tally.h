@@ -63,6 +63,17 @@ public:
   /// Fetches from every rank the sums of the replicates that it owns.
   void exchange(const Ranks& ranks);
 
+  /// Receivers that take no part in the coming rounds, 1 each, estimators skip them; their estimates stay.
+  void rest(std::vector<char> receivers);
+  bool rests(std::size_t receiver) const { return this->Resting[receiver] != 0; }
+  std::size_t active() const { return this->Active; }
+
+  /// After a round of trajectories [first, first + count): who rested keeps the estimate of the first ones.
+  void keepResting(long long first, int count);
+
+  /// Of n trajectories of a replicate, those that the receiver took part in.
+  long long trajectories(std::size_t receiver, long long n) const { return n - this->Missed[receiver]; }
+
   /// Saves or restores the sums, the fixed part too.
   void persist(Archive& archive);
 
@@ -92,6 +103,9 @@ private:
   int Replicates, BandCount;
   EnergyBalance Energy;
   std::vector<double> Fixed, Total, DirectPart, Correction, Largest;
+  std::vector<char> Resting;      // per receiver
+  std::vector<long long> Missed;  // trajectories of a replicate while it rested
+  std::size_t Active;
 };
 }  // namespace kalos
 

@@ -39,6 +39,9 @@ public:
     if (count == 0)
       return !this->Aborted;
     std::atomic<std::size_t> finished{0};
+    {
+      const std::lock_guard<std::mutex> open(this->Gate);  // tasks see what was written before
+    }
     this->Arena.execute([&] {
       tbb::parallel_for(
           tbb::blocked_range<std::size_t>(0, count, 1),
@@ -56,7 +59,7 @@ public:
           },
           tbb::simple_partitioner());
     });
-    return !this->Aborted;
+    return finished == count && !this->Aborted;
   }
 
   /// From now on forEachReplicate() runs this replicate alone.

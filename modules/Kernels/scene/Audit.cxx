@@ -39,7 +39,7 @@ bool nothingOccludes(const Scene& scene, const std::vector<Vec3>& receivers)
         sides.include(dot(data.points[i] - a, n));
     for (const Luminaire& l : data.luminaires)
       for (int corner = 0; corner < 4; ++corner)
-        sides.include(dot(l.position + (corner % 2 - 0.5) * l.sideU + (corner / 2 - 0.5) * l.sideV - a, n));
+        sides.include(dot(l.position + ((corner & 1) - 0.5) * l.sideU + ((corner >> 1) - 0.5) * l.sideV - a, n));
     for (const Vec3& r : receivers)
       sides.include(dot(r - a, n));
     if (!sides.oneSided(tolerance))
