@@ -28,6 +28,7 @@ std::vector<double> Goal::distances(const Tally& tally, long long n) const
   }
   const double floor = this->floorFor(sum / static_cast<double>(std::max<std::size_t>(1, found.size())));
   std::vector<double> distances;
+  distances.reserve(found.size());
   for (const MeanAndError& m : found)
     distances.push_back(m.standardError > 0
                             ? this->Quantile * m.standardError / std::max(floor, this->RelativeError * std::abs(m.mean))

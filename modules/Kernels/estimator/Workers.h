@@ -54,7 +54,8 @@ public:
               if (this->Aborted)
                 return;
               body(i);
-              this->tell(static_cast<double>(++finished) / static_cast<double>(count));
+              this->tell(static_cast<double>(finished + 1) / static_cast<double>(count));
+              ++finished;  // last: who reads it sees all that was done
             }
           },
           tbb::simple_partitioner());
