@@ -97,10 +97,12 @@ class View(Subject):
     def solve(self, options, label):
         output = run(luminance_image(self.reader, self.index, options), label, patience=float("inf") if label is None else 0)
         data = output.GetPointData()
+        # The mean errs by at most the mean of the errors: pixels share trajectories.
         values, error = (vtk_to_numpy(data.GetArray(name)).astype(float)[self.seen]
                          for name in (arrays.LUMINANCE, arrays.LUMINANCE_STANDARD_ERROR))
         return Estimate(values, error, None, trajectories(output), field_value(output, arrays.SOLVE_SECONDS),
-                        field_value(output, arrays.SOLVE_CPU_SECONDS), field_value(output, arrays.RAYS), None, tuple(audit(output)))
+                        field_value(output, arrays.SOLVE_CPU_SECONDS), field_value(output, arrays.RAYS), None, tuple(audit(output)),
+                        float(error.mean() / values.mean()) if values.mean() > 0 else None)
 
     def digest(self, *more):
         return super().digest(self.points.tobytes(), *more)
