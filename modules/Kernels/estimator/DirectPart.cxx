@@ -140,6 +140,8 @@ Bands DirectPart::fluctuation(std::size_t r, int replicate, long long first, int
 
 void DirectPart::score(std::size_t r, int replicate, long long first, int count, Tally& tally) const
 {
+  if (tally.rests(r))
+    return;
   const Bands light = this->fluctuation(r, replicate, first, count);
   for (int b = 0; b < tally.bands(); ++b)
   {
@@ -153,8 +155,7 @@ bool DirectPart::scoreAll(long long first, int count, Workers& workers, Tally& t
   return workers.forEachReplicate(
       tally.replicates(), tileCount(tally.receivers()), [&](int replicate, std::size_t tile) {
         for (std::size_t r = tile * tileSize; r < std::min(tally.receivers(), (tile + 1) * tileSize); ++r)
-          if (!tally.rests(r))
-            this->score(r, replicate, first, count, tally);
+          this->score(r, replicate, first, count, tally);
       });
 }
 

@@ -42,7 +42,7 @@ public:
   Bands fluctuation(std::size_t receiver, int replicate, long long first, int count) const;
 
   /// Adds what fluctuates, for a round of trajectories [first, first + count): the visibility of area emitters, or the
-  /// whole direct light of a glossy receiver.
+  /// whole direct light of a glossy receiver. Nothing to one that rests.
   void score(std::size_t receiver, int replicate, long long first, int count, Tally& tally) const;
 
   /// score() for all receivers and replicates; false when aborted.

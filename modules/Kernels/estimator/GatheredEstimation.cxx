@@ -143,8 +143,7 @@ bool GatheredEstimation::addReplicates(Workers::Replicates some, std::vector<Rep
     this->collect(tile, p, round[p], rays, looksOf(tile, p), tally, this->Checks[tile * this->Replicates + p]);
     const std::size_t end = std::min(tally.receivers(), (tile + 1) * tileSize);
     for (std::size_t r = tile * tileSize; r < end; ++r)
-      if (!tally.rests(r))
-        this->Direct.score(r, p, first, round[p].pool.trajectories, tally);
+      this->Direct.score(r, p, first, round[p].pool.trajectories, tally);
   });
   for (int p = some.first; p < some.last; ++p)
   {
