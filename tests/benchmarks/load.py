@@ -12,6 +12,7 @@ At the largest sizes, 10^7 triangles, 10^6 receivers, 10^4 luminaires, some minu
 """
 import argparse
 import json
+import multiprocessing
 import os
 import subprocess
 import tempfile
@@ -62,7 +63,8 @@ def measure(triangles=1000, receivers=100, luminaires=1):
     """Counts, seconds and bytes of one solve."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        triangles, receivers = write_scene(folder, triangles, receivers, luminaires)
+        with multiprocessing.Pool(1) as pool:  # a child's most is never less than what its parent once held
+            triangles, receivers = pool.apply(write_scene, (folder, triangles, receivers, luminaires))
         command = [KALOS, "solve", folder / "scene.json", "--out", folder / "out", "--trajectories", "640", "--threads", "1"]
         with open(folder / "log", "w") as log:
             process = subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT)
