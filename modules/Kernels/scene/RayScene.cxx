@@ -282,6 +282,8 @@ void RayScene::intersect(const SegmentPacket& rays, int count, HitPacket& hits) 
 #endif
   std::memcpy(hits.triangle, query.hit.primID, sizeof hits.triangle);
   std::memcpy(hits.distance, query.ray.tfar, sizeof hits.distance);
+  std::memcpy(hits.u, query.hit.u, sizeof hits.u);
+  std::memcpy(hits.v, query.hit.v, sizeof hits.v);
 }
 
 bool RayScene::occluded(const RayAnchor& a, const RayAnchor& b) const

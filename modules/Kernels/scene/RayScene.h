@@ -44,12 +44,12 @@ struct alignas(64) SegmentPacket
 };
 
 /// Where sixteen rays end. Of ray i: `triangle` is noTriangle when it ends nowhere, `distance` is in lengths of its
-/// direction.
+/// direction, u and v are as in Hit.
 struct alignas(64) HitPacket
 {
   static constexpr std::uint32_t noTriangle = ~0u;
   std::uint32_t triangle[SegmentPacket::width];
-  float distance[SegmentPacket::width];
+  float distance[SegmentPacket::width], u[SegmentPacket::width], v[SegmentPacket::width];
 };
 
 class RayScene

@@ -100,7 +100,11 @@ Scene::Scene(SceneDescription description)
 
 SurfacePoint Scene::trace(const RayAnchor& start, const Vec3& direction) const
 {
-  const Hit hit = this->Rays.intersect(start, direction);
+  return this->point(this->Rays.intersect(start, direction), direction);
+}
+
+SurfacePoint Scene::point(const Hit& hit, const Vec3& direction) const
+{
   SurfacePoint point;
   if (!hit.valid)
     return point;
@@ -114,6 +118,7 @@ SurfacePoint Scene::trace(const RayAnchor& start, const Vec3& direction) const
   point.normal = point.front ? n : -n;
   return point;
 }
+
 namespace
 {
 // Whether p, within `reach` of the triangle's plane, lies over the triangle or within `reach` of its border.

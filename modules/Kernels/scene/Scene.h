@@ -85,6 +85,9 @@ public:
   /// The same from a start, or from a point in free space.
   SurfacePoint trace(const RayAnchor& start, const Vec3& direction) const;
 
+  /// The surface point that a ray along `direction` has hit.
+  SurfacePoint point(const Hit& hit, const Vec3& direction) const;
+
   /// Where rays leave or reach a surface point p of unit normal n.
   RayAnchor anchor(const Vec3& p, const Vec3& n) const { return {p, this->offset(p, n)}; }
 

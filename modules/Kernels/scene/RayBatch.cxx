@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/RayBatch.h"
+
+namespace kalos
+{
+namespace
+{
+constexpr int width = SegmentPacket::width;
+constexpr double far = 1000;  // times what a start is lifted
+
+// The rays that a packet takes, and who they are.
+struct Packet
+{
+  SegmentPacket segments;
+  std::size_t ray[width];
+  int count = 0;
+
+  void add(std::size_t i, const Vec3& from, const Vec3& along)
+  {
+    this->segments.ox[this->count] = static_cast<float>(from.x);
+    this->segments.oy[this->count] = static_cast<float>(from.y);
+    this->segments.oz[this->count] = static_cast<float>(from.z);
+    this->segments.dx[this->count] = static_cast<float>(along.x);
+    this->segments.dy[this->count] = static_cast<float>(along.y);
+    this->segments.dz[this->count] = static_cast<float>(along.z);
+    this->ray[this->count++] = i;
+  }
+};
+
+// Ends the rays of a packet, but for those that single precision can not decide.
+void trace(const Scene& scene, Packet& packet, std::vector<RayOnItsWay>& rays)
+{
+  HitPacket hits;
+  scene.rays().intersect(packet.segments, packet.count, hits);
+  for (int i = 0; i < packet.count; ++i)
+  {
+    RayOnItsWay& ray = rays[packet.ray[i]];
+    const auto distance = static_cast<double>(hits.distance[i]);
+    // What meets nothing may have slipped between two triangles.
+    if (hits.triangle[i] == HitPacket::noTriangle || !isFarFrom(ray.start, distance * distance))
+      ray.end = scene.trace(ray.start, ray.direction);
+    else
+      ray.end = scene.point({true, hits.triangle[i], hits.u[i], hits.v[i]}, ray.direction);
+  }
+  packet.count = 0;
+}
+
+void shadow(const RayScene& scene, Packet& packet, std::vector<ShadowRay>& rays)
+{
+  const std::uint32_t hidden = scene.occluded(packet.segments, packet.count);
+  for (int i = 0; i < packet.count; ++i)
+    rays[packet.ray[i]].hidden = hidden >> i & 1;
+  packet.count = 0;
+}
+}  // namespace
+
+bool isFarFrom(const RayAnchor& start, double squaredDistance)
+{
+  const Vec3 lift = start.lifted - start.point;
+  return squaredDistance > far * far * dot(lift, lift);
+}
+
+bool isInGap(const Scene& scene, const Vec3& p, const Vec3& n)
+{
+  const RayAnchor anchor = scene.anchor(p, n);
+  const SurfacePoint y = scene.trace(anchor, n);
+  const Vec3 d = y.position - p;
+  return y.valid && !isFarFrom(anchor, dot(d, d));
+}
+
+void traceTogether(const Scene& scene, std::vector<RayOnItsWay>& rays)
+{
+  Packet packet;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    if (rays[i].alone)
+    {
+      rays[i].end = scene.trace(rays[i].start, rays[i].direction);
+      continue;
+    }
+    packet.add(i, rays[i].start.lifted, rays[i].direction);
+    if (packet.count == width)
+      trace(scene, packet, rays);
+  }
+  if (packet.count > 0)
+    trace(scene, packet, rays);
+}
+
+void shadowTogether(const RayScene& scene, std::vector<ShadowRay>& rays)
+{
+  Packet packet;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    ShadowRay& ray = rays[i];
+    const Vec3 along = ray.to.lifted - ray.from.lifted;
+    const double squared = dot(along, along);
+    if (ray.alone || !isFarFrom(ray.from, squared) || !isFarFrom(ray.to, squared))
+    {
+      ray.hidden = scene.occluded(ray.from, ray.to);
+      continue;
+    }
+    packet.add(i, ray.from.lifted, along);
+    if (packet.count == width)
+      shadow(scene, packet, rays);
+  }
+  if (packet.count > 0)
+    shadow(scene, packet, rays);
+}
+}  // namespace kalos
