@@ -33,4 +33,9 @@ TEST(Replicates, CountDividesTheTrajectories)
   EXPECT_EQ(replicateCount(10000), 25);
   EXPECT_EQ(replicateCount(65536), 32);
   EXPECT_EQ(replicateCount(10007), 32);
+  EXPECT_EQ(fewReplicates(1), 2);
+  EXPECT_EQ(fewReplicates(7), 7);
+  EXPECT_EQ(fewReplicates(100), 5);
+  EXPECT_EQ(fewReplicates(65536), 8);
+  EXPECT_EQ(fewReplicates(10007), 8);
 }

@@ -49,6 +49,16 @@ double studentQuantile(double level, int freedom)
   return 0.5 * (low + high);
 }
 
+int fewReplicates(long long trajectories)
+{
+  if (trajectories < 8)
+    return replicateCount(trajectories);
+  for (int p = 8; p >= 5; --p)
+    if (trajectories % p == 0)
+      return p;
+  return 8;
+}
+
 int replicateCount(long long trajectories)
 {
   if (trajectories < 32)

@@ -23,6 +23,11 @@ double studentQuantile(double level, int freedom);
 /// Number of replicates for `trajectories`: the largest divisor from 16 to 32, else 32 (and the count is rounded up);
 /// below 32 trajectories every replicate has one, and at least 2 are run.
 int replicateCount(long long trajectories);
+
+/// The same for what is better stratified in few: from 5 to 8. Their standard error is good to a quarter. On the floor
+/// of a furnished room `compensated` took 1.4 to 1.6 times less time to the same error with 8 than with 32, and 1.2 to
+/// 1.3 times less than with 16.
+int fewReplicates(long long trajectories);
 }  // namespace kalos
 
 #endif
