@@ -17,7 +17,7 @@ PACKAGE = Path(__file__).resolve().parent
 DATA = PACKAGE.parents[1] / "data"  # of the source tree
 if not DATA.exists():
     DATA = PACKAGE.parents[3] / "share" / "kalos" / "data"  # of an installed one
-REPLICATES = 32  # of an estimate, but for `gathered`; its standard error has one degree of freedom less
+REPLICATES = 8  # at least, of an estimate; its standard error has one degree of freedom less
 OFFSET = 1e-5  # of the largest value: receivers are lifted off their surface by micrometres, so that it cannot hide them
 FALSE_ALARM = 1e-4  # chance that a sound method fails a case, however many points the case has
 

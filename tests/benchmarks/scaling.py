@@ -10,7 +10,7 @@ less. The bytes that a rank sends are counted by Open MPI's monitoring.
 
 Model: after each round every rank sends its replicates' sums to the others, 8 (2 + 2 b) bytes per receiver and replicate
 with b bands: the first two are KernelCorrection and the largest score. Work is shared by whole replicates, of which there
-are at most 32: the busiest of R ranks has ceil(32 / R), so that no more than 32 ranks shorten a solve; beyond, each rank
+are 8: the busiest of R ranks has ceil(8 / R), so that no more than 8 ranks shorten a solve; beyond, each rank
 takes more threads.
 """
 import json
@@ -25,7 +25,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-SIDE, TRAJECTORIES, REPLICATES, BANDS = 48, 32000, 32, 1  # receivers a side of the plane
+SIDE, TRAJECTORIES, REPLICATES, BANDS = 48, 32000, 8, 1  # receivers a side of the plane
 PARTICIPANT = "--participant"
 
 
@@ -102,7 +102,7 @@ def draw(path, strong, weak):
 def main(out, largest):
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
-    counts = [c for c in (1, 2, 4, 8, 16, 32) if c <= largest]
+    counts = [c for c in (1, 2, 4, 8) if c <= largest]
     strong = {c: measure(c, TRAJECTORIES) for c in counts}
     assert len({tuple(found[3]) for found in strong.values()}) == 1, "ranks have changed the numbers"
     weak = {c: measure(c, TRAJECTORIES * c) for c in counts}

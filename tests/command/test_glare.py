@@ -61,7 +61,7 @@ def test_it_is_printed_and_reported(sphere, command, tmp_path):
 
 def test_standard_errors_are_the_spread_over_seeds(sphere, tmp_path):
     """40 seeds: the spread of UGR, mean and U0 over their mean standard error lies within 0.6 and 1.6 (chi-square with 39
-    degrees of freedom, and that of the errors with 31: beyond below 1e-4 a figure)."""
+    degrees of freedom, and that of the errors with 7 each: beyond below 1e-4 a figure)."""
     plane = {"name": "desk", "plane": {"origin": [-0.3, -0.3, -0.5], "u": [0.6, 0, 0], "v": [0, 0.6, 0], "resolution": [4, 4]}}
     path = sphere(receivers=[{"name": "eye", "observer": {"position": [0, -0.5, 0], "target": [0, 0, -0.1]}}, plane])
     reader = read_scene(path)

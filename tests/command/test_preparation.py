@@ -88,7 +88,7 @@ def test_receivers_gather_at_singular_edges_and_nowhere_else(furnace, command, t
     assert f"{near.sum() + 1} receivers at singular edges, 0 in gaps" in line["reason"]
     spared = float(line["reason"].split(" spared")[0].split()[-1])
     vertices = 1 + 1 / (1 - 0.5)  # of a trajectory: a start, and collisions; a pilot measures them to some percent
-    assert spared == pytest.approx(3200 * 0.012 * np.sqrt(vertices) * (len(near) + 1 - near.sum()), rel=0.05)
+    assert spared == pytest.approx(3200 * 0.016 * np.sqrt(vertices) * (len(near) + 1 - near.sum()), rel=0.05)
 
 
 def test_a_gap_is_told_from_an_edge(furnace, command, tmp_path):
@@ -110,7 +110,7 @@ def test_defects_are_repaired(furnace, command, tmp_path):
     scene = furnace(cube(crooked=(3,)))
     table, audit = solve(command, scene, tmp_path / "out")
     assert audit["repair"] == "4 points moved"
-    assert (np.abs(table[:, 6] - 200) < 5 * table[:, 7] + 1e-9).all()  # false alarm below 1e-4 with 31 degrees of freedom
+    assert (np.abs(table[:, 6] - 200) < 10 * table[:, 7] + 1e-9).all()  # false alarm below 1e-4 with 7 degrees of freedom
     assert (table[:, 7] < 4).all()
 
 
@@ -120,9 +120,10 @@ def test_doubled_sides_shine_once(furnace, command, tmp_path):
     scene = furnace("\n".join(lines + lines[:6]))
     table, audit = solve(command, scene, tmp_path / "out")
     assert audit["repair"] == "2 duplicate triangles dropped"
-    assert (np.abs(table[:, 6] - 200) < 5 * table[:, 7] + 1e-9).all()
+    assert (np.abs(table[:, 6] - 200) < 10 * table[:, 7] + 1e-9).all()
     # Paths alone would see one of the two; what starts on both would not.
-    spoilt, _ = solve(command, scene, tmp_path / "spoilt", "--no-prepare", "--without", "paths")
+    spoilt, _ = solve(command, scene, tmp_path / "spoilt", "--no-prepare", "--without", "paths",
+                      "--trajectories", 25600)
     assert (spoilt[:, 6] - 200 > 5 * spoilt[:, 7]).all()
 
 

@@ -54,7 +54,7 @@ def test_replay(scene, command, tmp_path, method):
 
 @pytest.mark.parametrize("value, message", [
     ("12", "--replay: '12' is not allowed, expected RECEIVER:REPLICATE, such as 12:3; kalos solve --help tells more"),
-    ("99:0", "replay: receiver 99 is not there; expected 0 to 25"), ("0:77", "replay: replicate 77 is not there; expected 0 to 31")])
+    ("99:0", "replay: receiver 99 is not there; expected 0 to 25"), ("0:77", "replay: replicate 77 is not there; expected 0 to 7")])
 def test_replay_of_what_is_not_there(scene, command, tmp_path, value, message):
     status, _, error = command("solve", scene.save(), "--out", tmp_path / "none", "--trajectories", 640, "--replay", value)
     assert status == 2

@@ -150,7 +150,7 @@ def test_intermediate_results_lead_to_the_last_one():
     filter.AddObserver("UpdateDataEvent", keep)
     assert update_error(filter) is None
     trajectories = [count for count, _ in shown]
-    assert trajectories[0] == 32 and trajectories[-1] == 3200 and len(trajectories) > 8
+    assert trajectories[0] == 8 and trajectories[-1] == 3200 and len(trajectories) > 8
     result = vtk_to_numpy(filter.GetOutputDataObject(0).GetPointData().GetArray("Illuminance"))
     assert (shown[-1][1] == result).all() and not (shown[0][1] == result).any()
 

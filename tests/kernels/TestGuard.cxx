@@ -90,7 +90,7 @@ TEST(Tally, AScoreStandsOutBeyondThreeTimesTheMedianOfTheReplicates)
   EXPECT_FALSE(tally.largestStandsOut(0));
   tally.noteScore(0, 3, 6.1);
   EXPECT_TRUE(tally.largestStandsOut(0));
-  EXPECT_TRUE(Tally(scene, 1, 8).largestStandsOut(0)) << "too few to tell";
+  EXPECT_TRUE(Tally(scene, 1, 7).largestStandsOut(0)) << "too few to tell";
 }
 
 // A closed room keeps its light, whatever its materials; all methods count alike.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
+#include "Student.h"
 #include "estimator/Solver.h"
 #include "sampling/Warp.h"
 
@@ -79,8 +80,7 @@ void expectFurnace(const SceneDescription& description, long long trajectories, 
   const Result result = solve(scene, r, s);
   for (std::size_t i = 0; i < r.points.size(); ++i)
   {
-    // Sidak for the 40 receivers of all calls, 31 degrees of freedom: false alarm 1e-3.
-    EXPECT_LT(std::abs(result.illuminance[i] - 250), 4.9 * result.standardError[i] + 1e-3)
+    EXPECT_LT(std::abs(result.illuminance[i] - 250), allowed(result, 40) * result.standardError[i] + 1e-3)
         << what << ", receiver " << i << ": " << result.illuminance[i] - 250 << " +- " << result.standardError[i];
     EXPECT_LT(result.standardError[i], 0.03 * 250) << what << ", receiver " << i;
   }

@@ -11,7 +11,7 @@ from scipy import stats
 
 FLUX = 100.0
 ANGLES = tuple(np.arange(0, 90.01, 0.5))
-REPLICATES = 32
+REPLICATES = 8
 
 
 def cosine(plane, angle):

@@ -75,7 +75,7 @@ def test_interrupt_leaves_what_was_reached(method):
     assert partial.audit[-1]["subject"] == "stopped" and str(partial.trajectories) in partial.audit[-1]["choice"]
     again = solve(trajectories=partial.trajectories, method=method, seed=2)
     deviations = abs(partial.illuminance - again.illuminance) / np.hypot(partial.standard_error, again.standard_error)
-    assert deviations.max() < 7  # of 500 with 31 degrees of freedom: 1e-5 of false alarms
+    assert deviations.max() < 14  # of 500 with 7 degrees of freedom: 1e-3 of false alarms
     assert partial.standard_error.max() < 0.2 * partial.illuminance.max()
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 

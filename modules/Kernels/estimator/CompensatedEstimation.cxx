@@ -47,13 +47,11 @@ bool CompensatedEstimation::addRound(long long first, int count, Workers& worker
   const bool scored =
       workers.forEachReplicate(replicates, tileCount(tally.receivers()), [&](int replicate, std::size_t tile) {
         const std::size_t end = std::min(tally.receivers(), (tile + 1) * tileSize);
+        this->Light.score(
+            this->Direct.sensors(), tile * tileSize, end, replicate, round,
+            [this](std::size_t r) { return this->Direct.exactMeshes(r); }, tally);
         for (std::size_t r = tile * tileSize; r < end; ++r)
-        {
-          if (tally.rests(r))
-            continue;
-          this->Light.score(this->Direct.sensors()[r], r, replicate, round, this->Direct.exactMeshes(r), tally);
           this->Direct.score(r, replicate, first, count, tally);
-        }
       });
   this->Light.finish(round, tally);
   return scored;

@@ -5,11 +5,11 @@
 //
 // Vertices keep the first part, and no score exceeds M G*. A few cosine-weighted rays from the receiver gather the
 // second, the luminance where they end being (M0 + rho E)/pi by the same estimator (estimator/Gathering.h). The balance
-// heuristic gives G* = (trajectories x collision density per trajectory and m2) / (gather rays, each counted twice),
-// with the density about the vertex from a pilot. Shadow rays go to vertices picked in proportion to their unshadowed
-// scores, one for every sixteen. Receivers with no surface near in front take all from the vertices (G* infinite):
-// there the kernel is bounded anyway. Bias: none. Source: compensation of clamped virtual lights (Kollig and Keller
-// 2004) with a smooth split.
+// heuristic gives G* = (trajectories x collision density per trajectory and m2) / (gather rays, each counted four
+// times), with the density about the vertex from a pilot. Shadow rays go to vertices picked in proportion to their
+// unshadowed scores, one for every sixteen. Receivers with no surface near in front take all from the vertices (G*
+// infinite): there the kernel is bounded anyway. Bias: none. Source: compensation of clamped virtual lights (Kollig and
+// Keller 2004) with a smooth split.
 #ifndef kalos_estimator_CompensatedEstimation_h
 #define kalos_estimator_CompensatedEstimation_h
 
@@ -27,6 +27,7 @@ public:
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
   bool letsRest() const override { return true; }
+  int replicates(long long trajectories) const override { return fewReplicates(trajectories); }
   void persist(Archive& archive) override { this->Light.persist(archive); }
   std::vector<double> gatherRays() const override;
   std::vector<AuditLine> audit() const override;

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "estimator/ProbeRays.h"
+#include "estimator/PickedScores.h"
 #include "estimator/VertexRound.h"
 
 namespace kalos
@@ -24,14 +24,15 @@ constexpr int verticesPerPick = 16;
 constexpr double clearance = 0.08;
 
 // Gather rays per trajectory where a sensor gathers, over the root of the vertices that a trajectory leaves: the best
-// share goes with the root of what a trajectory costs. One share for all was too small by three to four times beside
-// the edges of a white furnace of 20 vertices per trajectory when it was right in a furnished room of 1.5.
-constexpr double raysPerRoot = 0.012;
+// share goes with the root of what a trajectory costs. On the floor, a plane and a wall of a furnished room 0.007 and
+// 0.024 took 2 to 20 % more time to the same error; more rays where more of the hemisphere is near took 5 % more there,
+// and as much at points along an edge.
+constexpr double raysPerRoot = 0.016;
 
 // How often a gather ray counts in the balance heuristic. Vertices fill the open evenly and score in spikes nearby, so
-// that rays are worth more than their number where both compete: 2 took 6 to 7 % less time than 1 to the same error on
-// the floor, a plane and a wall of the furnished room; 0.3 took twice the time of 1 near corners of a white furnace.
-constexpr double rayWorth = 2;
+// that rays are worth more than their number where both compete: on the floor, a plane and a wall of a furnished room 2
+// and 8 took up to 8 and 13 % more time than 4 to the same error.
+constexpr double rayWorth = 4;
 
 // Light of a mirror reaches a receiver by gather rays only, and vertices on gloss score in spikes.
 bool isDiffuse(const Scene& scene)
@@ -55,39 +56,35 @@ CompensatedLight::CompensatedLight(const Scene& scene, const Emission& emission,
 
 bool CompensatedLight::prepare(const std::vector<Sensor>& sensors, Workers& workers)
 {
-  this->RayShare.resize(sensors.size());
+  this->Gathers.resize(sensors.size());
   this->RaysDone.assign(sensors.size(), 0);
+  this->InGap.assign(sensors.size(), 0);
   return workers.forEach(tileCount(sensors.size()), [&](std::size_t tile) {
     for (std::size_t r = tile * tileSize; r < std::min(sensors.size(), (tile + 1) * tileSize); ++r)
-      this->RayShare[r] = this->chooseRayShare(sensors[r]);
+    {
+      this->Gathers[r] = this->needsRays(sensors[r]);
+      this->InGap[r] = this->Gathers[r] && isInGap(this->Lit, sensors[r].position, sensors[r].normal);
+    }
   });
 }
 
-double CompensatedLight::leastShare() const
+double CompensatedLight::rayShare() const
 {
   return raysPerRoot * std::sqrt(this->Rays.pilot().collisions() + this->Rays.pilot().starts());
 }
 
-double CompensatedLight::chooseRayShare(const Sensor& sensor) const
+bool CompensatedLight::needsRays(const Sensor& sensor) const
 {
-  if (this->Rays.alone())
-    return this->leastShare();
-  if (std::isfinite(this->Clearance) && this->Lit.clear(sensor.position, sensor.normal, this->Clearance))
-    return 0;
-  // The part of its hemisphere that a receiver sees so near that 100 trajectories leave no vertex in the area 1/G.
-  constexpr int probes = 16;
-  double near = 0;
-  sendProbes(this->Lit, sensor, probes, [&](double kernel, const Vec3& y) {
-    near += gatheredShare(kernel / (100 * this->Rays.pilot().density(y))) / probes;
-  });
-  // Measured on the floor, a plane and a wall of a furnished room and along a row of points into an edge: 6 times the
-  // near part took 2 to 9 % less time to the same error than 10; 20, 36 and 100 took more.
-  return this->leastShare() * (1 + 6 * near);
+  return this->Rays.alone() || !std::isfinite(this->Clearance) ||
+         !this->Lit.clear(sensor.position, sensor.normal, this->Clearance);
 }
 
 int CompensatedLight::rays(std::size_t r, const Round& round) const
 {
-  return static_cast<int>(std::ceil(this->RayShare[r] * round.count));
+  if (!this->Gathers[r])
+    return 0;
+  // A power of two: the points of a stratified sequence are even over as many.
+  return static_cast<int>(std::exp2(std::max(0.0, std::round(std::log2(this->rayShare() * round.count)))));
 }
 
 double CompensatedLight::balance(std::size_t r, const Round& round) const
@@ -100,12 +97,21 @@ Round CompensatedLight::trace(long long first, int count, int replicates, Worker
   return {first, count, this->Rays.trace(this->Source, this->Wanted.walks(), replicates, first, count, workers)};
 }
 
-void CompensatedLight::score(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
+void CompensatedLight::score(const std::vector<Sensor>& sensors, std::size_t begin, std::size_t end, int replicate,
+                             const Round& round, const std::function<bool(std::size_t)>& exactMeshes,
                              Tally& tally) const
 {
-  if (!this->Rays.alone())
-    this->scoreVertices(sensor, r, replicate, round, exactMeshes, tally);
-  this->scoreGathered(sensor, r, replicate, round, exactMeshes, tally);
+  const GatherPool pool{&round.pools[replicate], round.count};
+  ReceiverRays gathered(this->Rays, pool, replicate, tally);
+  for (std::size_t r = begin; r < end; ++r)
+  {
+    if (tally.rests(r))
+      continue;
+    if (!this->Rays.alone())
+      this->scoreVertices(sensors[r], r, replicate, round, exactMeshes(r), tally);
+    this->sendRays(sensors[r], r, replicate, round, exactMeshes(r), gathered);
+  }
+  gathered.finish();
 }
 
 void CompensatedLight::finish(const Round& round, const Tally& tally)
@@ -145,30 +151,14 @@ void CompensatedLight::scoreVertices(const Sensor& sensor, std::size_t r, int re
   }
 }
 
-void CompensatedLight::scoreGathered(const Sensor& sensor, std::size_t r, int replicate, const Round& round,
-                                     bool exactMeshes, Tally& tally) const
+void CompensatedLight::sendRays(const Sensor& sensor, std::size_t r, int replicate, const Round& round,
+                                bool exactMeshes, ReceiverRays& gathered) const
 {
-  const int rays = this->rays(r, round);
-  if (rays == 0)
-    return;  // vertices score everything
+  const int rays = this->rays(r, round);  // none where vertices score everything
   const Walks walks = this->Wanted.walks().ofReceiver(r);
-  const GatherPool pool{&round.pools[replicate], round.count};
-  const Gathering::Start start{this->balance(r, round), !exactMeshes};
-  Bands sum{}, emission{};
+  const GatherWave::Start start{this->balance(r, round), !exactMeshes, this->InGap[r] != 0};
   for (long long k = this->RaysDone[r]; k < this->RaysDone[r] + rays; ++k)
-  {
-    SampleStream random = walks.stream(replicate, Purpose::Gather, k);
-    const Bands gathered = this->Rays.gather(sensor, pool, start, random, emission);
-    for (int b = 0; b < tally.bands(); ++b)
-      sum[b] += gathered[b];
-    tally.noteScore(r, replicate, photometric(gathered, tally.bands()) * round.count / rays);
-  }
-  const double weight = static_cast<double>(round.count) / rays;
-  for (int b = 0; b < tally.bands(); ++b)
-  {
-    tally.total(r, replicate)[b] += weight * sum[b];
-    tally.direct(r, replicate)[b] += weight * emission[b];
-  }
+    gathered.gather(r, rays, sensor, start, walks.stream(replicate, Purpose::Gather, k));
 }
 
 std::vector<double> CompensatedLight::raysSent(int replicates) const
@@ -182,14 +172,14 @@ std::vector<double> CompensatedLight::raysSent(int replicates) const
 AuditLine CompensatedLight::audit(int replicates, const std::vector<double>& edgeDistances) const
 {
   std::size_t gathering = 0, atEdges = 0;
-  for (std::size_t r = 0; r < this->RayShare.size(); ++r)
+  for (std::size_t r = 0; r < this->Gathers.size(); ++r)
   {
-    gathering += this->RayShare[r] > 0;
-    atEdges += this->RayShare[r] > 0 && r < edgeDistances.size() && edgeDistances[r] < this->Clearance;
+    gathering += this->Gathers[r] != 0;
+    atEdges += this->Gathers[r] && r < edgeDistances.size() && edgeDistances[r] < this->Clearance;
   }
   const std::vector<double> sent = this->raysSent(replicates);
-  const double spared = this->leastShare() * static_cast<double>(this->TrajectoriesDone) * replicates *
-                        static_cast<double>(this->RayShare.size() - gathering);
+  const double spared = this->rayShare() * static_cast<double>(this->TrajectoriesDone) * replicates *
+                        static_cast<double>(this->Gathers.size() - gathering);
   std::ostringstream reason;
   reason << std::setprecision(3);
   if (this->Rays.alone())
@@ -201,10 +191,10 @@ AuditLine CompensatedLight::audit(int replicates, const std::vector<double>& edg
                                              : "surfaces that are not diffuse are seen by them; ");
   reason << std::llround(std::accumulate(sent.begin(), sent.end(), 0.0)) << " rays, " << std::llround(spared)
          << " spared elsewhere";
-  if (std::isfinite(this->Clearance) && edgeDistances.size() == this->RayShare.size())
+  if (std::isfinite(this->Clearance) && edgeDistances.size() == this->Gathers.size())
     reason << "; " << atEdges << " receivers at singular edges, " << gathering - atEdges << " in gaps";
   return {"gather rays",
-          "at " + std::to_string(gathering) + " of " + std::to_string(this->RayShare.size()) + " receivers",
+          "at " + std::to_string(gathering) + " of " + std::to_string(this->Gathers.size()) + " receivers",
           reason.str()};
 }
 }  // namespace kalos

@@ -4,9 +4,10 @@
 #ifndef kalos_estimator_CompensatedLight_h
 #define kalos_estimator_CompensatedLight_h
 
-#include "estimator/Gathering.h"
+#include <functional>
+
+#include "estimator/ReceiverRays.h"
 #include "estimator/Settings.h"
-#include "estimator/Tally.h"
 #include "estimator/Workers.h"
 
 namespace kalos
@@ -39,9 +40,10 @@ public:
   /// Traces trajectories [first, first + count); no pools when aborted.
   Round trace(long long first, int count, int replicates, Workers& workers) const;
 
-  /// Adds a round's scores at sensor r; those of emitting meshes too, unless they are known exactly there.
-  void score(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
-             Tally& tally) const;
+  /// Adds a round's scores at sensors [begin, end) that do not rest; those of emitting meshes too, but where
+  /// exactMeshes(r) says that they are known there.
+  void score(const std::vector<Sensor>& sensors, std::size_t begin, std::size_t end, int replicate, const Round& round,
+             const std::function<bool(std::size_t)>& exactMeshes, Tally& tally) const;
 
   /// A round has been scored at all sensors that did not rest.
   void finish(const Round& round, const Tally& tally);
@@ -60,14 +62,14 @@ public:
   AuditLine audit(int replicates, const std::vector<double>& edgeDistances) const;
 
 private:
-  double leastShare() const;  // gather rays per trajectory, of a sensor that gathers
-  double chooseRayShare(const Sensor& sensor) const;
+  double rayShare() const;  // gather rays per trajectory, of a sensor that gathers
+  bool needsRays(const Sensor& sensor) const;
   int rays(std::size_t r, const Round& round) const;
   double balance(std::size_t r, const Round& round) const;  // gather rays per trajectory, as they count for G*
   void scoreVertices(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
                      Tally& tally) const;
-  void scoreGathered(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
-                     Tally& tally) const;
+  void sendRays(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
+                ReceiverRays& gathered) const;
 
   const Scene& Lit;
   const Emission& Source;
@@ -75,7 +77,8 @@ private:
   bool Shadows;
   Gathering Rays;
   double Clearance;                 // m; sensors that are clear at this distance need no gather rays
-  std::vector<double> RayShare;     // gather rays per trajectory, per sensor
+  std::vector<char> Gathers;        // per sensor
+  std::vector<char> InGap;          // per sensor: see isInGap()
   std::vector<long long> RaysDone;  // of a replicate in earlier rounds, per sensor
   long long TrajectoriesDone = 0;   // of a replicate
 };

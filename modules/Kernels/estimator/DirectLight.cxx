@@ -268,16 +268,29 @@ bool DirectLight::aim(const Sensor& sensor, SampleStream& random, AreaSample& sa
   return true;
 }
 
+bool DirectLight::propose(const Sensor& sensor, SampleStream& random, Sample& sample, Bands& known) const
+{
+  AreaSample aimed;
+  if (!this->aim(sensor, random, aimed, sample.light, known))
+    return false;
+  sample.target = aimed.target;
+  if (!sensor.brdf)
+    return true;
+  const Bands weight = response(sensor, aimed.direction, this->Lit.bands());
+  for (int b = 0; b < this->Lit.bands(); ++b)
+    sample.light[b] *= weight[b];
+  return true;
+}
+
 Bands DirectLight::sample(const Sensor& sensor, SampleStream& random) const
 {
-  AreaSample sample;
-  Bands result{}, arriving;
-  if (!this->aim(sensor, random, sample, arriving, result) ||
+  Sample sample;
+  Bands result{};
+  if (!this->propose(sensor, random, sample, result) ||
       (this->Shadows && this->Lit.rays().occluded(sensor.anchor, sample.target)))
     return result;
-  const Bands weight = response(sensor, sample.direction, this->Lit.bands());
   for (int b = 0; b < this->Lit.bands(); ++b)
-    result[b] += weight[b] * arriving[b];
+    result[b] += sample.light[b];
   return result;
 }
 
@@ -338,7 +351,7 @@ void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const L
 }
 
 void DirectLight::addSeen(const Vec3& origin, const Vec3& direction, const SurfacePoint& y, const Bands& throughput,
-                          Bands& sum) const
+                          double* sum) const
 {
   const double end = y.valid ? length(y.position - origin) : std::numeric_limits<double>::infinity();
   for (const Area& area : this->Areas)

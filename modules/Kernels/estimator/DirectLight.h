@@ -46,6 +46,15 @@ public:
   /// without meshes.
   Bands sample(const Sensor& sensor, SampleStream& random) const;
 
+  /// What sample() adds if nothing hides its target; false when that is nothing whatever is seen.
+  struct Sample
+  {
+    RayAnchor target;
+    Bands light;  ///< lx per band, weighted by the sensor's response
+  };
+  /// The same without the shadow ray; what a lobe's sample found, with shadow rays of its own, is added to `known`.
+  bool propose(const Sensor& sensor, SampleStream& random, Sample& sample, Bands& known) const;
+
   /// The same at `count` <= SegmentPacket::width sensors without BRDF, their shadow rays in one packet, in single
   /// precision: for sensors that are seen from so far that none matters which lies in a narrower gap.
   void sample(const Sensor* sensors, int count, SampleStream& random, Bands* light) const;
@@ -53,7 +62,7 @@ public:
   /// Adds throughput times the exitance of every luminous rectangle that a ray from a mirror passes through before it
   /// ends at y.
   void addSeen(const Vec3& origin, const Vec3& direction, const SurfacePoint& y, const Bands& throughput,
-               Bands& sum) const;
+               double* sum) const;
 
   /// Whether samples add to what look() finds: something may hide area emitters, or openings are near.
   bool hasOpenings() const { return this->HasOpenings; }

@@ -12,8 +12,7 @@ namespace kalos
 namespace
 {
 constexpr int trajectoriesPerRay = 32;   // of a replicate, for each gather ray of a receiver in that replicate
-constexpr int fewReplicates = 8;         // fewer are better stratified; their standard error is good to a quarter
-constexpr std::size_t chunk = 64;        // cells that one task estimates
+constexpr std::size_t chunk = 256;       // cells that one task estimates
 constexpr double largestHits = 1 << 22;  // kept at a time: 100 MB
 constexpr int smallestRound = 512;       // trajectories that always fit: their vertices light the cells
 constexpr int phases = 4;                // of a round
@@ -58,11 +57,6 @@ Pace GatheredEstimation::pace() const
 {
   constexpr double scores = 16;  // as long as a gather ray takes, with its share of a cell
   return {trajectoriesPerRay, smallestRound, scores / trajectoriesPerRay};
-}
-
-int GatheredEstimation::replicates(long long trajectories) const
-{
-  return std::min(fewReplicates, replicateCount(trajectories));
 }
 
 bool GatheredEstimation::addRound(long long first, int count, Workers& workers, Tally& tally)
@@ -130,11 +124,13 @@ bool GatheredEstimation::addReplicates(Workers::Replicates some, std::vector<Rep
   nextPhase();
   going = going && workers.forEachReplicate(some, chunks, [&](int p, std::size_t part) {
     const auto& cells = round[p].cache.cells();
-    for (std::size_t c = part * chunk; c < std::min(cells.size(), (part + 1) * chunk); ++c)
-    {
-      const Bands e = this->indirectLight(cells[c].representative, c, p, round[p].pool);
-      std::copy_n(e.begin(), bands, &round[p].indirect[c * bands]);
-    }
+    GatherWave wave(this->Rays, round[p].pool);
+    const std::size_t begin = std::min(cells.size(), part * chunk), end = std::min(cells.size(), begin + chunk);
+    for (std::size_t c = begin; c < end; ++c)
+      this->estimate(cells[c].representative, p, wave);
+    wave.run();
+    for (std::size_t c = begin; c < end; ++c)
+      std::copy_n(wave.light(c - begin), bands, &round[p].indirect[c * bands]);
   });
 
   // Light the receivers by what was found.

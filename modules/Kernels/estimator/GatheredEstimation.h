@@ -5,7 +5,7 @@
 // E)/pi. The light of luminaires in E is that at the hit itself; the rest is shared by hits that lie together, as seen
 // from the receivers: they are sorted into cells (estimator/SurfaceCache.h), the wider the fewer rays there are, and it
 // is estimated at one hit of each, drawn uniformly, without bias: by a block of the trajectories' vertices, and a
-// gather ray for what these leave (Gathering::indirectLight). Near an edge cells are as small as the distance asks;
+// gather ray for what these leave (GatherWave::indirectLight). Near an edge cells are as small as the distance asks;
 // where a cell has one hit, nothing is shared. Where a ray ends on gloss or a mirror, the unbiased gather ray of
 // `compensated` takes its place.
 //
@@ -19,7 +19,7 @@
 
 #include "estimator/DirectPart.h"
 #include "estimator/Estimator.h"
-#include "estimator/Gathering.h"
+#include "estimator/ReceiverRays.h"
 #include "estimator/SurfaceCache.h"
 
 namespace kalos
@@ -34,7 +34,7 @@ public:
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
   bool letsRest() const override { return true; }
-  int replicates(long long trajectories) const override;
+  int replicates(long long trajectories) const override { return fewReplicates(trajectories); }
   Pace pace() const override;
   void exchange(const Ranks& ranks) override;
   void persist(Archive& archive) override;
@@ -46,6 +46,26 @@ private:
   {
     std::vector<SurfaceHit> hits;
     std::vector<std::size_t> ends;  // of each receiver's hits
+  };
+  // Rays of receivers that go in one packet, and which of whose they are.
+  struct Sight
+  {
+    SegmentPacket packet;
+    std::size_t receiver[SegmentPacket::width];
+    long long ray[SegmentPacket::width];
+    int count = 0;
+
+    void add(const SegmentPacket& from, int i, std::size_t r, long long k)
+    {
+      this->packet.ox[this->count] = from.ox[i];
+      this->packet.oy[this->count] = from.oy[i];
+      this->packet.oz[this->count] = from.oz[i];
+      this->packet.dx[this->count] = from.dx[i];
+      this->packet.dy[this->count] = from.dy[i];
+      this->packet.dz[this->count] = from.dz[i];
+      this->receiver[this->count] = r;
+      this->ray[this->count++] = k;
+    }
   };
   // One replicate's round.
   struct Replicate
@@ -66,15 +86,15 @@ private:
   bool addReplicates(Workers::Replicates some, std::vector<Replicate>& round, long long first, int rays,
                      const std::function<void()>& nextPhase, Workers& workers, Tally& tally);
   void look(std::size_t tile, int replicate, const Replicate& round, int rays, Looks& looks, Tally& tally) const;
-  void lookAt(std::size_t receiver, int replicate, const Replicate& round, const GatherPattern& pattern, Looks& looks,
-              Tally& tally) const;
+  void see(Sight& sight, int replicate, int rays, const Replicate& round, Looks& looks, ReceiverRays& unshared) const;
   std::uint64_t seedOfCells(int replicate) const;
   Sensor at(const SurfaceHit& hit) const;
-  Bands indirectLight(const SurfaceHit& hit, std::size_t cell, int replicate, const GatherPool& pool) const;
-  void lightByLamps(std::size_t receiver, const SurfaceHit* hits, int count, SampleStream& random, Bands* light) const;
+  void estimate(const SurfaceHit& hit, int replicate, GatherWave& wave) const;
+  void lightByLamps(const SurfaceHit* hits, int count, SampleStream& random, Bands* light) const;
   void collect(std::size_t tile, int replicate, const Replicate& round, int rays, const Looks& looks, Tally& tally,
                Check& check) const;
-  void checkShared(const SurfaceHit& hit, int replicate, const Replicate& round, Check& check) const;
+  // How much cells exceed what is estimated at these hits' own places, lx, summed up.
+  double excess(const std::vector<const SurfaceHit*>& hits, int replicate, const Replicate& round) const;
 
   const Scene& Lit;
   Settings Wanted;

@@ -3,6 +3,7 @@
 #include "estimator/GatheredEstimation.h"
 
 #include <limits>
+#include <numeric>
 
 #include "estimator/GatherPattern.h"
 
@@ -10,9 +11,10 @@ namespace kalos
 {
 namespace
 {
+constexpr int width = SegmentPacket::width;
 constexpr int checkEvery = 64;  // shared hits, for each that is estimated at its own place too
 
-constexpr Gathering::Start whole(bool seesEmission)
+constexpr GatherWave::Start wholeLight(bool seesEmission)
 {
   return {std::numeric_limits<double>::infinity(), seesEmission};
 }
@@ -32,85 +34,78 @@ void GatheredEstimation::look(std::size_t tile, int replicate, const Replicate& 
   const std::uint64_t key =
       mixBits(mixBits(this->Wanted.seed + tile) + static_cast<std::uint64_t>(replicate)) + 0x67617468;
   const GatherPattern pattern(this->Wanted.sampling, key, this->RaysDone, rays);
-  for (std::size_t r = tile * tileSize; r < std::min(sensors.size(), (tile + 1) * tileSize); ++r)
+  ReceiverRays unshared(this->Rays, round.pool, replicate, tally);
+  SegmentPacket drawn;
+  Sight sight;
+  const std::size_t first = tile * tileSize, last = std::min(sensors.size(), first + tileSize);
+  looks.ends.assign(last - first, 0);  // how many, until they are summed up
+  for (std::size_t r = first; r < last; ++r)
   {
     if (tally.rests(r))
-    {
-      looks.ends.push_back(looks.hits.size());
       continue;
-    }
-    if (!sensors[r].brdf)
-      this->lookAt(r, replicate, round, pattern, looks, tally);
-    else
+    if (sensors[r].brdf)
     {
       const Walks walks = this->Wanted.walks().ofReceiver(r);
-      Bands sum{}, emission{};
-      const double weight = static_cast<double>(round.pool.trajectories) / rays;
       for (long long k = this->RaysDone; k < this->RaysDone + rays; ++k)
+        unshared.gather(r, rays, sensors[r], wholeLight(!this->Direct.exactMeshes(r)),
+                        walks.stream(replicate, Purpose::Gather, k));
+      continue;
+    }
+    // Few rays of a receiver share a packet with its neighbours'.
+    const std::uint64_t own = mixBits(this->Wanted.seed + r) + static_cast<std::uint64_t>(replicate);
+    for (int begin = 0; begin < rays; begin += width)
+    {
+      const int count = std::min(width, rays - begin);
+      pattern.rays(sensors[r].anchor.lifted, sensors[r].normal, own, begin, drawn);
+      for (int i = 0; i < count; ++i)
       {
-        SampleStream random = walks.stream(replicate, Purpose::Gather, k);
-        const Bands found =
-            this->Rays.gather(sensors[r], round.pool, whole(!this->Direct.exactMeshes(r)), random, emission);
-        tally.noteScore(r, replicate, weight * photometric(found, tally.bands()));
-        for (int b = 0; b < tally.bands(); ++b)
-          sum[b] += found[b];
-      }
-      for (int b = 0; b < tally.bands(); ++b)
-      {
-        tally.total(r, replicate)[b] += weight * sum[b];
-        tally.direct(r, replicate)[b] += weight * emission[b];
+        sight.add(drawn, i, r, this->RaysDone + begin + i);
+        if (sight.count == width)
+          this->see(sight, replicate, rays, round, looks, unshared);
       }
     }
-    looks.ends.push_back(looks.hits.size());
   }
+  this->see(sight, replicate, rays, round, looks, unshared);
+  std::partial_sum(looks.ends.begin(), looks.ends.end(), looks.ends.begin());
+  unshared.finish();
 }
 
-void GatheredEstimation::lookAt(std::size_t r, int replicate, const Replicate& round, const GatherPattern& pattern,
-                                Looks& looks, Tally& tally) const
+void GatheredEstimation::see(Sight& sight, int replicate, int rays, const Replicate& round, Looks& looks,
+                             ReceiverRays& unshared) const
 {
-  constexpr int width = SegmentPacket::width;
-  const Sensor& sensor = this->Direct.sensors()[r];
-  const std::uint64_t key = mixBits(this->Wanted.seed + r) + static_cast<std::uint64_t>(replicate);
-  SegmentPacket packet;
+  if (sight.count == 0)
+    return;
+  const SegmentPacket& packet = sight.packet;
   HitPacket found;
-  for (int begin = 0; begin < pattern.size(); begin += width)
+  this->Lit.rays().intersect(packet, sight.count, found);
+  for (int i = 0; i < sight.count; ++i)
   {
-    const int count = std::min(width, pattern.size() - begin);
-    pattern.rays(sensor.anchor.lifted, sensor.normal, key, begin, packet);
-    this->Lit.rays().intersect(packet, count, found);
-    for (int i = 0; i < count; ++i)
+    const std::uint32_t triangle = found.triangle[i];
+    if (triangle == HitPacket::noTriangle)
+      continue;
+    const std::size_t r = sight.receiver[i];
+    const Sensor& sensor = this->Direct.sensors()[r];
+    const Face& face = this->Faces[triangle];
+    const float d[3] = {packet.dx[i], packet.dy[i], packet.dz[i]}, t = found.distance[i];
+    const bool front = face.normal[0] * d[0] + face.normal[1] * d[1] + face.normal[2] * d[2] < 0;
+    SurfaceHit hit{{packet.ox[i] + t * d[0], packet.oy[i] + t * d[1], packet.oz[i] + t * d[2]},
+                   2 * triangle + (front ? 1 : 0),
+                   0,
+                   !isFarFrom(sensor.anchor, static_cast<double>(t * t))};
+    if (this->Lit.brdf(triangle).isLambertian())
     {
-      const std::uint32_t triangle = found.triangle[i];
-      if (triangle == HitPacket::noTriangle)
-        continue;
-      const Face& face = this->Faces[triangle];
-      const float d[3] = {packet.dx[i], packet.dy[i], packet.dz[i]}, t = found.distance[i];
-      const bool front = face.normal[0] * d[0] + face.normal[1] * d[1] + face.normal[2] * d[2] < 0;
-      SurfaceHit hit{{packet.ox[i] + t * d[0], packet.oy[i] + t * d[1], packet.oz[i] + t * d[2]},
-                     2 * triangle + (front ? 1 : 0),
-                     0};
-      if (this->Lit.brdf(triangle).isLambertian())
-      {
-        hit.cell = cellKey(face, hit, t, round.cellShare);
-        looks.hits.push_back(hit);
-        continue;
-      }
-      const long long k = this->RaysDone + begin + i;
-      SampleStream random =
-          Walks{this->Wanted.seed, Sampling::Independent}.ofReceiver(r).stream(replicate, Purpose::Gather, k);
-      const SurfacePoint y = this->Lit.trace(sensor.position, sensor.normal, {d[0], d[1], d[2]});
-      Bands emission{};
-      const Bands value = this->Rays.follow(sensor, {d[0], d[1], d[2]}, y, round.pool,
-                                            whole(!this->Direct.exactMeshes(r)), random, emission);
-      const double weight = static_cast<double>(round.pool.trajectories) / pattern.size();
-      tally.noteScore(r, replicate, weight * photometric(value, tally.bands()));
-      for (int b = 0; b < tally.bands(); ++b)
-      {
-        tally.total(r, replicate)[b] += weight * value[b];
-        tally.direct(r, replicate)[b] += weight * emission[b];
-      }
+      hit.cell = cellKey(face, hit, t, round.cellShare);
+      looks.hits.push_back(hit);
+      ++looks.ends[r % tileSize];
+      continue;
     }
+    const Vec3 direction{d[0], d[1], d[2]};
+    const Walks walks{this->Wanted.seed, Sampling::Independent};
+    unshared.follow(r, rays, sensor, direction, this->Lit.trace(sensor.anchor, direction),
+                    wholeLight(!this->Direct.exactMeshes(r)),
+                    walks.ofReceiver(r).stream(replicate, Purpose::Gather, sight.ray[i]));
   }
+  sight.count = 0;
 }
 
 Sensor GatheredEstimation::at(const SurfaceHit& hit) const
@@ -122,28 +117,22 @@ Sensor GatheredEstimation::at(const SurfaceHit& hit) const
   return Sensor(this->Lit, p, n);
 }
 
-Bands GatheredEstimation::indirectLight(const SurfaceHit& hit, std::size_t cell, int replicate,
-                                        const GatherPool& pool) const
+void GatheredEstimation::estimate(const SurfaceHit& hit, int replicate, GatherWave& wave) const
 {
-  SampleStream random(Sampling::Independent, this->seedOfCells(replicate), static_cast<std::uint64_t>(replicate),
-                      Purpose::Gather, cell);
-  return this->Rays.indirectLight(this->at(hit), pool, random);
+  wave.indirectLight(this->at(hit), hit.near,
+                     SampleStream(Sampling::Independent, this->seedOfCells(replicate),
+                                  static_cast<std::uint64_t>(replicate), Purpose::Gather, hit.cell));
 }
 
-void GatheredEstimation::lightByLamps(std::size_t receiver, const SurfaceHit* hits, int count, SampleStream& random,
-                                      Bands* light) const
+void GatheredEstimation::lightByLamps(const SurfaceHit* hits, int count, SampleStream& random, Bands* light) const
 {
   // A packet's rays start an offset above the surface: where hits are so near that this is too much, each has a ray.
-  constexpr double far = 1000;  // offsets
-  const Sensor& from = this->Direct.sensors()[receiver];
-  const double least = far * length(from.anchor.lifted - from.position);
-  Sensor sensors[SegmentPacket::width];
+  Sensor sensors[width];
   bool afar = true;
   for (int i = 0; i < count; ++i)
   {
     sensors[i] = this->at(hits[i]);
-    const Vec3 d = sensors[i].position - from.position;
-    afar = afar && dot(d, d) > least * least;
+    afar = afar && !hits[i].near;
   }
   if (afar)
     this->Rays.luminaireLight(sensors, count, random, light);
@@ -158,7 +147,9 @@ void GatheredEstimation::collect(std::size_t tile, int replicate, const Replicat
   const int bands = tally.bands();
   const double weight = static_cast<double>(round.pool.trajectories) / rays;
   const std::uint64_t seed = mixBits(this->seedOfCells(replicate) + tile + 1);
-  std::size_t begin = 0, r = tile * tileSize;
+  std::vector<const SurfaceHit*> checked;
+  Bands lamps[width];  // of sixteen hits, whosever they are
+  std::size_t i = 0, r = tile * tileSize;
   for (const std::size_t end : looks.ends)
   {
     if (tally.rests(r))
@@ -167,32 +158,35 @@ void GatheredEstimation::collect(std::size_t tile, int replicate, const Replicat
       continue;
     }
     const bool exactMeshes = this->Direct.exactMeshes(r);
-    Bands sum{}, emission{}, lamps[SegmentPacket::width];
+    Bands sum{}, emission{};
     double largest = 0;
-    for (; begin < end; begin = std::min(end, begin + SegmentPacket::width))
+    for (; i < end; ++i)
     {
-      // Each hit draws a luminaire of its own; a packet of them shares a stream of random numbers.
-      const SurfaceHit* hits = &looks.hits[begin];
-      const int count = static_cast<int>(std::min<std::size_t>(SegmentPacket::width, end - begin));
-      SampleStream random(Sampling::Independent, seed, static_cast<std::uint64_t>(replicate), Purpose::Gather, begin);
-      this->lightByLamps(r, hits, count, random, lamps);
-      for (int i = 0; i < count; ++i)
+      const SurfaceHit& hit = looks.hits[i];
+      if (i % width == 0)
       {
-        const Material& material = this->Lit.material(hits[i].side / 2);
-        const double* e = &round.indirect[hits[i].cell * bands];
-        Bands value;
-        for (int b = 0; b < bands; ++b)
-        {
-          const double m = (hits[i].side & 1) && !exactMeshes ? material.exitance[b] : 0;
-          value[b] = m + material.reflectance[b] * (lamps[i][b] + e[b]);
-          emission[b] += m;
-          sum[b] += value[b];
-        }
-        const double luminous = photometric(value, bands);
-        largest = luminous >= 0 ? std::max(largest, luminous) : std::numeric_limits<double>::quiet_NaN();  // to stay
-        check.sum += luminous;
-        this->checkShared(hits[i], replicate, round, check);
+        // Each hit draws a luminaire of its own; a packet of them shares a stream of random numbers.
+        SampleStream random(Sampling::Independent, seed, static_cast<std::uint64_t>(replicate), Purpose::Gather, i);
+        this->lightByLamps(&hit, static_cast<int>(std::min<std::size_t>(width, looks.hits.size() - i)), random, lamps);
       }
+      const Material& material = this->Lit.material(hit.side / 2);
+      const double* e = &round.indirect[hit.cell * bands];
+      Bands value;
+      for (int b = 0; b < bands; ++b)
+      {
+        const double m = (hit.side & 1) && !exactMeshes ? material.exitance[b] : 0;
+        value[b] = m + material.reflectance[b] * (lamps[i % width][b] + e[b]);
+        emission[b] += m;
+        sum[b] += value[b];
+      }
+      const double luminous = photometric(value, bands);
+      largest = luminous >= 0 ? std::max(largest, luminous) : std::numeric_limits<double>::quiet_NaN();  // to stay
+      check.sum += luminous;
+      if (round.cache.cells()[hit.cell].hits < 2)
+        continue;
+      check.shared += 1;
+      if (static_cast<long long>(check.shared) % checkEvery == checkEvery / 2)
+        checked.push_back(&hit);
     }
     check.rays += rays;
     tally.noteScore(r, replicate, weight * largest);
@@ -203,21 +197,26 @@ void GatheredEstimation::collect(std::size_t tile, int replicate, const Replicat
     }
     ++r;
   }
+  check.excess += checkEvery * this->excess(checked, replicate, round);
 }
 
-void GatheredEstimation::checkShared(const SurfaceHit& hit, int replicate, const Replicate& round, Check& check) const
+double GatheredEstimation::excess(const std::vector<const SurfaceHit*>& hits, int replicate,
+                                  const Replicate& round) const
 {
-  if (round.cache.cells()[hit.cell].hits < 2)
-    return;
-  check.shared += 1;
-  if (static_cast<long long>(check.shared) % checkEvery != checkEvery / 2)
-    return;
+  GatherWave wave(this->Rays, round.pool);
+  for (const SurfaceHit* hit : hits)
+    this->estimate(*hit, replicate, wave);
+  wave.run();
   const int bands = this->Lit.bands();
-  const Material& material = this->Lit.material(hit.side / 2);
-  const Bands own = this->indirectLight(hit, hit.cell, replicate, round.pool);
-  Bands difference;
-  for (int b = 0; b < bands; ++b)
-    difference[b] = material.reflectance[b] * (round.indirect[hit.cell * bands + b] - own[b]);
-  check.excess += checkEvery * photometric(difference, bands);
+  double excess = 0;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+  {
+    const Material& material = this->Lit.material(hits[i]->side / 2);
+    Bands difference;
+    for (int b = 0; b < bands; ++b)
+      difference[b] = material.reflectance[b] * (round.indirect[hits[i]->cell * bands + b] - wave.light(i)[b]);
+    excess += photometric(difference, bands);
+  }
+  return excess;
 }
 }  // namespace kalos

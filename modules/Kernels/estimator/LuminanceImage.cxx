@@ -121,7 +121,7 @@ private:
       const RayAnchor from = this->Lit.anchor(y.position, y.normal);
       y = this->Lit.trace(from, direction);
       Bands seen{};
-      this->Luminaires.addSeen(from.lifted, direction, y, uniformBands(weight / pi), seen);
+      this->Luminaires.addSeen(from.lifted, direction, y, uniformBands(weight / pi), seen.data());
       for (int b = 0; b < bands; ++b)
         this->Emitted.luminanceBands[pixel * bands + b] += seen[b];
     }

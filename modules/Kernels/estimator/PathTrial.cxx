@@ -65,19 +65,18 @@ public:
     const Round round = this->Light.trace(0, trajectories, replicates, workers);
     const long long traced = raysOfThisThread();
     std::size_t pairs = 0;
-    for (std::size_t i = 0; i < this->Sensors.size(); ++i)
+    const auto exactMeshes = [&](std::size_t i) { return !paths && this->Direct.exactMeshes(this->Tried[i]); };
+    for (int replicate = 0; replicate < replicates; ++replicate)
+      this->Light.score(this->Sensors, 0, this->Sensors.size(), replicate, round, exactMeshes, tally);
+    for (std::size_t i = 0; i < this->Sensors.size() && !paths; ++i)
       for (int replicate = 0; replicate < replicates; ++replicate)
       {
         const std::size_t r = this->Tried[i];
-        const bool exactMeshes = !paths && this->Direct.exactMeshes(r);
-        this->Light.score(this->Sensors[i], i, replicate, round, exactMeshes, tally);
-        if (paths)
-          continue;
         const Bands direct = this->Direct.fluctuation(r, pilotReplicate + 1 + replicate, 0, trajectories);
         for (int b = 0; b < tally.bands(); ++b)
           tally.total(i, replicate)[b] += direct[b];
         const VertexPool& pool = round.pools[replicate];
-        pairs += pool.reflected.size() + pool.glossy.size() + (exactMeshes ? 0 : pool.emitted.size());
+        pairs += pool.reflected.size() + pool.glossy.size() + (exactMeshes(i) ? 0 : pool.emitted.size());
       }
     Found found;
     found.rays = static_cast<double>(traced - start) / static_cast<double>(this->Direct.sensors().size()) +

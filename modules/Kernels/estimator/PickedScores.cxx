@@ -66,9 +66,7 @@ std::uint64_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sen
 {
   if (count == 1)
   {
-    const auto j = static_cast<std::size_t>(indices[0]);
-    const double offset = v.offset[j];
-    return rays.occluded(sensor.anchor, v.position(j) + offset * v.normal(j));
+    return rays.occluded(sensor.anchor, v.shadowTarget(static_cast<std::size_t>(indices[0])));
   }
   std::uint64_t hidden = 0;
   SegmentPacket packet;
@@ -89,6 +87,18 @@ double addNone(std::size_t bands, double* sum)
   return none;
 }
 
+// As scoreTile(), of pairs with BRDF factors.
+void scorePairs(const VertexSet& v, const PairBlock& block, float* luminous, TileScores& scores)
+{
+  scores.count = VertexTile{v, 0, block.count}.paddedCount();
+  for (int i = 0; i < scores.count; ++i)
+  {
+    luminous[i] = i < block.count ? static_cast<float>(luminousScore(v, block, i)) : 0;
+    scores.reached[i] = (i < lanes ? 0 : scores.reached[i - lanes]) + luminous[i];
+    scores.largest = std::max(scores.largest, luminous[i]);
+  }
+}
+
 // The general case: pairs with BRDF factors.
 double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block, const ShadowPicks& shadows,
                       double* sum)
@@ -101,13 +111,7 @@ double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block
   }
   TileScores scores{};
   float luminous[PairBlock::capacity];
-  scores.count = VertexTile{v, 0, block.count}.paddedCount();
-  for (int i = 0; i < scores.count; ++i)
-  {
-    luminous[i] = i < block.count ? static_cast<float>(luminousScore(v, block, i)) : 0;
-    scores.reached[i] = (i < lanes ? 0 : scores.reached[i - lanes]) + luminous[i];
-    scores.largest = std::max(scores.largest, luminous[i]);
-  }
+  scorePairs(v, block, luminous, scores);
   const auto largest = static_cast<double>(scores.largest);
   const double total = scores.total();
   if (!std::isfinite(total))
@@ -128,6 +132,49 @@ double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block
       sum[b] += weight * static_cast<double>(v.flux[b][j]) * block.factor[i][b];
   }
   return largest;
+}
+
+// A pick of one by u; false when nothing scores, or when the total is no number.
+bool pickOne(const TileScores& scores, double u, int& i, double& total)
+{
+  double reached[lanes] = {};
+  total = 0;
+  for (int lane = 0; lane < lanes && scores.count > 0; ++lane)
+    reached[lane] = total += static_cast<double>(scores.laneSum(lane));
+  if (!std::isfinite(total))
+    return false;
+  const double threshold = u * total;
+  for (int lane = 0; lane < lanes; ++lane)
+    if (threshold < reached[lane])
+    {
+      i = firstBeyond(scores, lane, threshold - (lane > 0 ? reached[lane - 1] : 0));
+      return true;
+    }
+  return false;
+}
+
+bool noScore(const VertexSet& v, PickedScore& pick)
+{
+  addNone(v.flux.size(), pick.light.data());
+  return true;
+}
+
+// The general case: pairs with BRDF factors.
+bool pickPair(const VertexSet& v, const PairBlock& block, double u, PickedScore& pick)
+{
+  TileScores scores{};
+  float luminous[PairBlock::capacity];
+  scorePairs(v, block, luminous, scores);
+  int i;
+  double total;
+  if (!pickOne(scores, u, i, total))
+    return !std::isfinite(total) && noScore(v, pick);
+  const auto j = static_cast<std::size_t>(block.index[i]);
+  pick.target = v.shadowTarget(j);
+  const double weight = total / static_cast<double>(luminous[i]) * static_cast<double>(block.kernel[i]);
+  for (std::size_t b = 0; b < v.flux.size(); ++b)
+    pick.light[b] = weight * static_cast<double>(v.flux[b][j]) * block.factor[i][b];
+  return true;
 }
 }  // namespace
 
@@ -183,5 +230,27 @@ double addPickedScores(const VertexSet& v, std::size_t begin, int count, const S
       sum[b] += weight * static_cast<double>(v.flux[b][j]);
   }
   return largest;
+}
+
+bool pickScore(const VertexSet& v, std::size_t begin, int count, const Sensor& sensor, double share, double u,
+               PickedScore& pick)
+{
+  if (v.isGlossy() || sensor.brdf)
+  {
+    PairBlock block;
+    formPairs(v, begin, count, sensor, share, block);
+    return pickPair(v, block, u, pick);
+  }
+  TileScores scores;
+  scoreTile({v, begin, count}, sensor, share, scores);
+  int i;
+  double total;
+  if (!pickOne(scores, u, i, total))
+    return !std::isfinite(total) && noScore(v, pick);
+  const std::size_t j = begin + static_cast<std::size_t>(i);
+  pick.target = v.shadowTarget(j);
+  for (std::size_t b = 0; b < v.flux.size(); ++b)
+    pick.light[b] = total / static_cast<double>(v.luminous[j]) * static_cast<double>(v.flux[b][j]);
+  return true;
 }
 }  // namespace kalos

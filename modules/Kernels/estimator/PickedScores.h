@@ -23,6 +23,17 @@ struct ShadowPicks
 /// VertexTile::capacity vertices. Returns the largest luminous score.
 double addPickedScores(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double share,
                        const ShadowPicks& shadows, double* sum);
+
+/// What a single pick adds if nothing hides its target from the sensor: for shadow rays that are traced later.
+struct PickedScore
+{
+  RayAnchor target;
+  Bands light;
+};
+
+/// Picks by u in [0,1); false when nothing scores. Scores that are no numbers make `light` none either.
+bool pickScore(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double share, double u,
+               PickedScore& pick);
 }  // namespace kalos
 
 #endif

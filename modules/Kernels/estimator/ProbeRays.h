@@ -6,6 +6,7 @@
 #include "estimator/Sensor.h"
 #include "sampling/Sobol.h"
 #include "sampling/Warp.h"
+#include "scene/RayBatch.h"
 
 namespace kalos
 {
@@ -17,20 +18,22 @@ inline Vec3 probeDirection(const Frame& frame, int i)
   return frame.toWorld(cosineHemisphere(u1, u2));
 }
 
-/// Sends `count` of these rays and calls visit(G, y) for each that ends on a
-/// surface point y, with the kernel G (1/m2) of that pair.
+/// Sends `count` of these rays and calls visit(G, y) for each that ends on a surface point y, with the kernel G (1/m2)
+/// of that pair. `inGap`: see isInGap().
 template <class Visit>
-void sendProbes(const Scene& scene, const Sensor& sensor, int count, const Visit& visit)
+void sendProbes(const Scene& scene, const Sensor& sensor, bool inGap, int count, const Visit& visit)
 {
   const Frame frame(sensor.normal);
+  std::vector<RayOnItsWay> rays;
   for (int i = 0; i < count; ++i)
+    rays.push_back({sensor.anchor, probeDirection(frame, i), inGap, {}});
+  traceTogether(scene, rays);
+  for (const RayOnItsWay& ray : rays)
   {
-    const Vec3 direction = probeDirection(frame, i);
-    const SurfacePoint y = scene.trace(sensor.position, sensor.normal, direction);
-    if (!y.valid)
+    if (!ray.end.valid)
       continue;
-    const Vec3 d = y.position - sensor.position;
-    visit(dot(direction, sensor.normal) * -dot(direction, y.normal) / (pi * dot(d, d)), y.position);
+    const Vec3 d = ray.end.position - sensor.position;
+    visit(dot(ray.direction, sensor.normal) * -dot(ray.direction, ray.end.normal) / (pi * dot(d, d)), ray.end.position);
   }
 }
 }  // namespace kalos

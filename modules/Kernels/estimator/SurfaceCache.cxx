@@ -60,10 +60,10 @@ void SurfaceCache::add(SurfaceHit& hit, std::uint64_t seed)
   // Of the first n hits each has been kept with probability 1/n.
   Cell& cell = this->Cells[slot.cell];
   ++cell.hits;
+  hit.cell = static_cast<std::uint64_t>(slot.cell);
   const std::uint64_t random = mixBits(seed + ++this->Added) >> 32;
   if (random * static_cast<std::uint64_t>(cell.hits) < 1ull << 32)
     cell.representative = hit;
-  hit.cell = static_cast<std::uint64_t>(slot.cell);
 }
 
 void SurfaceCache::grow()

@@ -31,6 +31,7 @@ struct SurfaceHit
   float position[3];   ///< m
   std::uint32_t side;  ///< twice the triangle, plus 1 for its front
   std::uint64_t cell;  ///< key of its cell; the cell's index once SurfaceCache::add() has seen it
+  bool near = false;   ///< to what it is seen from: rays in single precision do not serve, see isFarFrom()
 };
 
 /// Key of the cell about a hit that is seen from `distance` (m), `share` of it wide: equal only for hits on parallel

@@ -120,7 +120,7 @@ bool Tally::largestStandsOut(std::size_t receiver) const
   const auto first = this->Largest.begin() + static_cast<std::ptrdiff_t>(receiver * this->Replicates);
   std::vector<double> largest(first, first + this->Replicates);
   std::sort(largest.begin(), largest.end());
-  return this->Replicates < 16 || largest.back() > 3 * largest[largest.size() / 2];
+  return this->Replicates < 8 || largest.back() > 3 * largest[largest.size() / 2];
 }
 
 void Tally::write(long long n, Result& result) const

@@ -27,6 +27,11 @@ struct VertexSet
   bool isGlossy() const { return !this->brdf.empty(); }
   Vec3 position(std::size_t i) const { return {this->px[i], this->py[i], this->pz[i]}; }
   Vec3 normal(std::size_t i) const { return {this->nx[i], this->ny[i], this->nz[i]}; }
+  Vec3 shadowTarget(std::size_t i) const  ///< where shadow rays to the vertex end
+  {
+    const double lift = this->offset[i];
+    return this->position(i) + lift * this->normal(i);
+  }
 
   /// A number for random streams that tells vertices apart, from the bits of the position.
   long long key(std::size_t i) const;

@@ -17,7 +17,7 @@
 namespace kalos
 {
 /// Receivers that one task serves, and the number of such tiles.
-constexpr std::size_t tileSize = 16;
+constexpr std::size_t tileSize = 32;
 inline std::size_t tileCount(std::size_t receivers)
 {
   return (receivers + tileSize - 1) / tileSize;
