@@ -307,13 +307,8 @@ void DirectLight::sample(const Sensor* sensors, int count, SampleStream& random,
       light[i] = {};
       continue;
     }
-    const Vec3 &from = sensors[i].anchor.lifted, &to = sample.target.lifted;
-    packet.ox[rays] = static_cast<float>(from.x);
-    packet.oy[rays] = static_cast<float>(from.y);
-    packet.oz[rays] = static_cast<float>(from.z);
-    packet.dx[rays] = static_cast<float>(to.x - from.x);
-    packet.dy[rays] = static_cast<float>(to.y - from.y);
-    packet.dz[rays] = static_cast<float>(to.z - from.z);
+    const Vec3& from = sensors[i].anchor.lifted;
+    packet.set(rays, from, sample.target.lifted - from);
     lit[rays++] = i;
   }
   if (!this->Shadows || rays == 0)

@@ -17,12 +17,7 @@ struct Packet
 
   void add(std::size_t i, const Vec3& from, const Vec3& along)
   {
-    this->segments.ox[this->count] = static_cast<float>(from.x);
-    this->segments.oy[this->count] = static_cast<float>(from.y);
-    this->segments.oz[this->count] = static_cast<float>(from.z);
-    this->segments.dx[this->count] = static_cast<float>(along.x);
-    this->segments.dy[this->count] = static_cast<float>(along.y);
-    this->segments.dz[this->count] = static_cast<float>(along.z);
+    this->segments.set(this->count, from, along);
     this->ray[this->count++] = i;
   }
 };

@@ -41,6 +41,16 @@ struct alignas(64) SegmentPacket
 {
   static constexpr int width = 16;
   float ox[width], oy[width], oz[width], dx[width], dy[width], dz[width];
+
+  void set(int i, const Vec3& o, const Vec3& d)
+  {
+    this->ox[i] = static_cast<float>(o.x);
+    this->oy[i] = static_cast<float>(o.y);
+    this->oz[i] = static_cast<float>(o.z);
+    this->dx[i] = static_cast<float>(d.x);
+    this->dy[i] = static_cast<float>(d.y);
+    this->dz[i] = static_cast<float>(d.z);
+  }
 };
 
 /// Where sixteen rays end. Of ray i: `triangle` is noTriangle when it ends nowhere, `distance` is in lengths of its
