@@ -34,7 +34,7 @@ def draw_chart(folder, result):
         low, high = main.get_ylim()
         if low < 100 * result["reference"]["rms"] < high:
             main.axhline(100 * result["reference"]["rms"], color="0.6", linewidth=0.8, linestyle=":")
-            main.text(0.985, 100 * result["reference"]["rms"], "reference itself", fontsize=7.5, color=GREY, ha="right",
+            main.text(0.015, 100 * result["reference"]["rms"], "reference itself", fontsize=7.5, color=GREY, ha="left",
                       va="bottom", transform=main.get_yaxis_transform())
     single = "pixel" if result["quantity"] == "luminance" else "receiver"
     small = [(f"95 % of the {single}s are better", "cpu_seconds", f"p95_of_{of}", "processor time, s"),

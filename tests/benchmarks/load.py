@@ -28,7 +28,7 @@ from kalos import memory
 KALOS = Path(__file__).resolve().parents[2] / "build" / "bin" / "kalos"
 SIZES = {"triangles": (10**4, 10**5, 10**6, 10**7), "receivers": (10**3, 10**4, 10**5, 10**6), "luminaires": (10, 100, 1000, 10**4)}
 COLOURS = {"triangles": "#0b5d8f", "receivers": "#c2571a", "luminaires": "#3f7f4f"}
-LABELS = {"triangles": (-2, 9, -9, "left"), "receivers": (-2, -8, 6, "right"), "luminaires": (0, 0, 7, "left")}  # point, offset, side
+LABELS = {"triangles": (-2, 9, -9, "left"), "receivers": (-2, -8, 6, "right"), "luminaires": (0, 0, -7, "left")}  # point, offset, side
 GROWN = 20e6  # bytes beyond the smallest scene's that say something of growth
 
 

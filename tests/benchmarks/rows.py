@@ -47,7 +47,7 @@ ROWS = {"floor": Row("Cornell room, floor 64 x 64", "cornell/cornell.json", "flo
         "furnace": Row("white furnace, 0.1 mm to 2.5 m off an edge", "chart/edge-furnace.json"),
         "wall": Row("Cornell room, 64 x 64 points 1 mm off a wall", "chart/wall-cornell.json"),
         "sobolev": Row("Sobolev's planes, 0 to 10 H", "chart/sobolev-row.json"),
-        "image": Row("Cornell room, image 512 x 512", "chart/image-cornell.json", camera="front", reference=4_000)}
+        "image": Row("Cornell room, image 512 x 512", "chart/image-cornell.json", camera="front", reference=16_000)}
 METHODS = ("gathered", "compensated")
 NAMES = [f"{100 * goal:g} %" for goal in GOALS]
 
