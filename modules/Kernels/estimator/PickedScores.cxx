@@ -163,7 +163,7 @@ bool noScore(const VertexSet& v, PickedScore& pick)
 bool pickPair(const VertexSet& v, const PairBlock& block, double u, PickedScore& pick)
 {
   TileScores scores{};
-  float luminous[PairBlock::capacity];
+  float luminous[PairBlock::capacity] = {};
   scorePairs(v, block, luminous, scores);
   int i;
   double total;

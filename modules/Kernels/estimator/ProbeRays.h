@@ -25,6 +25,7 @@ void sendProbes(const Scene& scene, const Sensor& sensor, bool inGap, int count,
 {
   const Frame frame(sensor.normal);
   std::vector<RayOnItsWay> rays;
+  rays.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     rays.push_back({sensor.anchor, probeDirection(frame, i), inGap, {}});
   traceTogether(scene, rays);
