@@ -28,13 +28,6 @@ Receivers floorGrid(int side)
   return r;
 }
 
-SceneDescription room()
-{
-  SceneDescription d = rooms::furnace(0.6, 0);
-  d.luminaires = rooms::litRoom(0.6).luminaires;
-  return d;
-}
-
 double seconds(const std::function<void()>& work)
 {
   const auto start = std::chrono::steady_clock::now();
@@ -84,7 +77,7 @@ struct BareRays
 
 void LocalEstimationAgainstBareRays(benchmark::State& state)
 {
-  const Scene scene(room());
+  const Scene scene(rooms::furnishedRoom(0.6));
   const Receivers receivers = floorGrid(32);
   Settings s;
   s.method = Method::Local;
@@ -104,7 +97,7 @@ BENCHMARK(LocalEstimationAgainstBareRays)->Unit(benchmark::kMillisecond)->Iterat
 
 void LocalEstimationOnTwoThreads(benchmark::State& state)
 {
-  const Scene scene(room());
+  const Scene scene(rooms::furnishedRoom(0.6));
   const Receivers receivers = floorGrid(32);
   Settings s;
   s.method = Method::Local;
@@ -123,7 +116,7 @@ BENCHMARK(LocalEstimationOnTwoThreads)->Unit(benchmark::kMillisecond)->Iteration
 
 void UnshadowedPairs(benchmark::State& state)
 {
-  const Scene scene(room());
+  const Scene scene(rooms::furnishedRoom(0.6));
   const Receivers receivers = floorGrid(16);
   const VertexSet v = traceTrajectories(scene, Emission(scene), {}, 0, 0, 3200).reflected;
   TileScores scores;

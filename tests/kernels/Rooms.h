@@ -68,6 +68,14 @@ inline kalos::SceneDescription furnace(double reflectance, double exitance)
   return scene;
 }
 
+/// The same room with its boxes, lit from a point instead of glowing.
+inline kalos::SceneDescription furnishedRoom(double reflectance)
+{
+  kalos::SceneDescription scene = furnace(reflectance, 0);
+  scene.luminaires = litRoom(reflectance).luminaires;
+  return scene;
+}
+
 inline void translate(kalos::SceneDescription& scene, const Vec3& by)
 {
   for (Vec3& p : scene.points)

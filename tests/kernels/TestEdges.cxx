@@ -118,9 +118,7 @@ TEST(Edges, LocalIsNotTrustedNearEdges)
 // for half of the variance: before scores were compared with those of other replicates 2 to 7 % were.
 TEST(Edges, WhatIsBoundedIsTrusted)
 {
-  SceneDescription d = rooms::furnace(0.6, 0);
-  d.luminaires = rooms::litRoom(0.6).luminaires;
-  const Scene scene(d);
+  const Scene scene(rooms::furnishedRoom(0.6));
   Receivers r;
   for (int i = 0; i < 20; ++i)
     for (int j = 0; j < 20; ++j)
@@ -158,9 +156,7 @@ TEST(Edges, KernelCorrectionIsTheDifferenceToLocal)
 // estimate has a finite variance.
 TEST(Edges, CompensatedAgreesWithLocalInTheOpen)
 {
-  SceneDescription d = rooms::furnace(0.7, 0);
-  d.luminaires = rooms::litRoom(0.7).luminaires;
-  const Scene scene(d);
+  const Scene scene(rooms::furnishedRoom(0.7));
   Receivers r;
   for (double x : {0.5, 2.5, 4.5})
     for (double y : {0.5, 4.5})

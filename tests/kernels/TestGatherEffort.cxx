@@ -64,9 +64,7 @@ TEST(GatherEffort, SameValuesWithFewerRays)
   constexpr std::uint64_t seeds = 6;
   for (double rho : {0.3, 0.8})
   {
-    SceneDescription description = rooms::furnace(rho, 0);
-    description.luminaires = rooms::litRoom(rho).luminaires;
-    const Scene scene(description);
+    const Scene scene(rooms::furnishedRoom(rho));
     const Receivers r = nearAndFar();
     std::vector<double> difference(r.points.size()), sparing(r.points.size()), all(r.points.size());  // of the means
     for (std::uint64_t seed = 1; seed <= seeds; ++seed)

@@ -32,14 +32,6 @@ Receivers plane(int side, double height)
   return r;
 }
 
-// The furnace's room with boxes, lit from a point instead of glowing.
-SceneDescription furnishedRoom(double reflectance)
-{
-  SceneDescription d = rooms::furnace(reflectance, 0);
-  d.luminaires = rooms::litRoom(reflectance).luminaires;
-  return d;
-}
-
 std::string choice(const Result& result, const std::string& subject)
 {
   for (const AuditLine& line : result.audit)
@@ -180,7 +172,7 @@ TEST(Gathered, FurnaceIsExact)
 // the mean within 0.4 %. Fewer errors than `compensated` on half the trajectories.
 TEST(Gathered, AgreesWithCompensatedInAFurnishedRoom)
 {
-  const Scene scene(furnishedRoom(0.6));
+  const Scene scene(rooms::furnishedRoom(0.6));
   const Receivers r = plane(12, 0.75);
   const Result gathered = solve(scene, r, settings(Method::Gathered, 65536));
   const Result judge = solve(scene, r, settings(Method::Compensated, 32768));
@@ -202,7 +194,7 @@ TEST(Gathered, AgreesWithCompensatedInAFurnishedRoom)
 // Gloss and mirrors share no estimate; emitting meshes light the cells.
 TEST(Gathered, AgreesWithCompensatedOnGlossAndMirrors)
 {
-  SceneDescription d = furnishedRoom(0.5);
+  SceneDescription d = rooms::furnishedRoom(0.5);
   Material glossy = d.materials[0], mirror = d.materials[0];
   glossy.specular = 0.3;
   glossy.roughness = 0.4;
@@ -224,7 +216,7 @@ TEST(Gathered, AgreesWithCompensatedOnGlossAndMirrors)
 
 TEST(Gathered, TheSameNumbersForAnyThreads)
 {
-  const Scene scene(furnishedRoom(0.6));
+  const Scene scene(rooms::furnishedRoom(0.6));
   const Receivers r = plane(6, 0.75);
   Settings s = settings(Method::Gathered, 2048);
   s.threads = 1;

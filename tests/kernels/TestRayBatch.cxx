@@ -12,13 +12,6 @@ using namespace kalos;
 
 namespace
 {
-SceneDescription furnishedRoom()
-{
-  SceneDescription d = rooms::furnace(0.6, 0);
-  d.luminaires = rooms::litRoom(0.6).luminaires;
-  return d;
-}
-
 // Points of surfaces, with unit normals.
 VertexSet places(const Scene& scene, int trajectories)
 {
@@ -33,7 +26,7 @@ SampleStream stream(std::uint64_t walk)
 
 TEST(RayBatch, FirstHitsAreThoseOfSingleRays)
 {
-  const Scene scene(furnishedRoom());
+  const Scene scene(rooms::furnishedRoom(0.6));
   const VertexSet from = places(scene, 20000);
   std::vector<RayOnItsWay> rays;
   SampleStream random = stream(0);
@@ -63,7 +56,7 @@ TEST(RayBatch, FirstHitsAreThoseOfSingleRays)
 
 TEST(RayBatch, ShadowsAreThoseOfSingleRays)
 {
-  const Scene scene(furnishedRoom());
+  const Scene scene(rooms::furnishedRoom(0.6));
   const VertexSet set = places(scene, 20000);
   std::vector<ShadowRay> rays;
   for (std::size_t i = 0; i < set.size(); ++i)
@@ -86,7 +79,7 @@ TEST(RayBatch, ShadowsAreThoseOfSingleRays)
 // What lies nearer than a thousand times what a start is lifted is found in double precision, to the last bit.
 TEST(RayBatch, NearSurfacesAreMetAsAlone)
 {
-  SceneDescription d = furnishedRoom();
+  SceneDescription d = rooms::furnishedRoom(0.6);
   const double gap = 1e-4;
   rooms::addQuad(d, {2, 2, gap}, {0, 1, 0}, {1, 0, 0}, 0);  // over the floor
   const Scene scene(d);
@@ -109,7 +102,7 @@ TEST(RayBatch, NearSurfacesAreMetAsAlone)
 // In a wedge where it is narrower than what rays are lifted by, those that go alone meet its other side.
 TEST(RayBatch, AloneTheyStayInTheNarrowestGap)
 {
-  SceneDescription d = furnishedRoom();
+  SceneDescription d = rooms::furnishedRoom(0.6);
   const double slope = 0.1, gap = 2e-6;
   rooms::addQuad(d, {2.5 - gap / slope, 2, 0}, {0, 1, 0}, {1, 0, slope}, 0);
   const Scene scene(d);
@@ -127,7 +120,7 @@ TEST(RayBatch, AloneTheyStayInTheNarrowestGap)
 // A gather ray finds the same whoever is under way with it: replays and tiles rely on it.
 TEST(GatherWave, RaysDoNotDependOnEachOther)
 {
-  SceneDescription d = furnishedRoom();
+  SceneDescription d = rooms::furnishedRoom(0.6);
   d.materials[0].specular = 0.2;
   d.materials[0].roughness = 0.3;
   const Scene scene(d);
@@ -137,7 +130,7 @@ TEST(GatherWave, RaysDoNotDependOnEachOther)
   VertexPool vertices = traceTrajectories(scene, emission, {}, 0, 0, 500);
   gathering.pilot().annotate(vertices);
   const GatherPool pool{&vertices, 500};
-  const VertexSet at = places(Scene(furnishedRoom()), 60);
+  const VertexSet at = places(Scene(rooms::furnishedRoom(0.6)), 60);
   GatherWave all(gathering, pool);
   auto add = [&](GatherWave& wave, std::size_t i) {
     const Sensor sensor(scene, at.position(i), at.normal(i));

@@ -27,7 +27,7 @@ TEST(RayScene, AClosedRoomDoesNotLeak)
       const double near = i % 2 ? 1e-4 : 2;
       const Vec3 p = Vec3{near, 5 * random.next(), 0} + shift - scene.origin();
       const double u1 = random.next(), u2 = random.next();
-      const SurfacePoint hit = scene.trace(p, {0, 0, 1}, cosineHemisphere(u1, u2));
+      const SurfacePoint hit = scene.trace(scene.anchor(p, {0, 0, 1}), cosineHemisphere(u1, u2));
       lost += !hit.valid;
       outside += hit.valid && maxAbs(hit.position) > 2.5 + 1e-5;
     }
@@ -110,7 +110,7 @@ TEST(RayScene, RaysFindTheirWayOutOfNarrowGaps)
           ++wrong;
           continue;
         }
-        const SurfacePoint hit = scene.trace(p, n, direction);
+        const SurfacePoint hit = scene.trace(scene.anchor(p, n), direction);
         wrong += !hit.valid || length(hit.position - p - distance * direction) > 1e-5;
         const RayAnchor anchor = scene.anchor(p, n);
         hidden += scene.rays().occluded(anchor, p + 0.999 * distance * direction) ||
@@ -129,7 +129,7 @@ TEST(RayScene, LayersThatNearlyCoincideHideNothing)
   rooms::addQuad(d, {1, 1, 1e-6}, {3, 0, 0}, {0, 3, 1e-7}, 0);
   const Scene scene(d);
   const Vec3 below = Vec3{2, 2, 0} - scene.origin(), up{0, 0, 1};
-  EXPECT_GT(scene.trace(below, up, normalized(Vec3{0.3, 0.2, 1})).position.z, 0);
+  EXPECT_GT(scene.trace(scene.anchor(below, up), normalized(Vec3{0.3, 0.2, 1})).position.z, 0);
   EXPECT_FALSE(scene.rays().occluded(scene.anchor(below, up), Vec3{1, 0, 0}));
   EXPECT_TRUE(scene.rays().occluded(scene.anchor(below - 2e-5 * up, up), Vec3{1, 0, 0}));
 }

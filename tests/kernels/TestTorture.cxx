@@ -58,7 +58,7 @@ int leaks(const SceneDescription& description, int count)
     const Vec3 start = scene.corner(from, 0) + b1 * (scene.corner(from, 1) - scene.corner(from, 0)) +
                        b2 * (scene.corner(from, 2) - scene.corner(from, 0));
     if (dot(target - start, scene.normal(from)) > 1e-3 * length(target - start))
-      escaped += !scene.trace(start, scene.normal(from), normalized(target - start)).valid;
+      escaped += !scene.trace(scene.anchor(start, scene.normal(from)), normalized(target - start)).valid;
   }
   return escaped;
 }

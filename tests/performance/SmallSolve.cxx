@@ -11,9 +11,7 @@
 int main(int count, char** arguments)
 {
   using namespace kalos;
-  SceneDescription room = rooms::furnace(0.6, 0);
-  room.luminaires = rooms::litRoom(0.6).luminaires;
-  const Scene scene(room);
+  const Scene scene(rooms::furnishedRoom(0.6));
 
   Receivers floor;
   for (int i = 0; i < 10; ++i)

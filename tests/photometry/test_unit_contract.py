@@ -7,11 +7,11 @@ import pytest
 from files import write_ies, write_ldt
 from kalos.estimator import Options
 from kalos.solve import solve
+from kalos.validate import REPLICATES
 from scipy import stats
 
 FLUX = 100.0
 ANGLES = tuple(np.arange(0, 90.01, 0.5))
-REPLICATES = 8
 
 
 def cosine(plane, angle):

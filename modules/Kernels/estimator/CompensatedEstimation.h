@@ -4,9 +4,9 @@
 //   E = E_direct + sum of a(G) X  +  integral of (1 - a(G)) L cos(theta) d omega,   a(G) = 1/(1 + G/G*)
 //
 // Vertices keep the first part, and no score exceeds M G*. A few cosine-weighted rays from the receiver gather the
-// second, the luminance where they end being (M0 + rho E)/pi by the same estimator (estimator/Gathering.h). The balance
-// heuristic gives G* = (trajectories x collision density per trajectory and m2) / (gather rays, each counted four
-// times), with the density about the vertex from a pilot. Shadow rays go to vertices picked in proportion to their
+// second, the luminance where they end being (M0 + rho E)/pi by the same estimator (estimator/GatherWave.h). The
+// balance heuristic gives G* = (trajectories x collision density per trajectory and m2) / (gather rays, each counted
+// four times), with the density about the vertex from a pilot. Shadow rays go to vertices picked in proportion to their
 // unshadowed scores, one for every sixteen. Receivers with no surface near in front take all from the vertices (G*
 // infinite): there the kernel is bounded anyway. Bias: none. Source: compensation of clamped virtual lights (Kollig and
 // Keller 2004) with a smooth split.

@@ -79,14 +79,6 @@ bool CompensatedLight::needsRays(const Sensor& sensor) const
          !this->Lit.clear(sensor.position, sensor.normal, this->Clearance);
 }
 
-int CompensatedLight::rays(std::size_t r, const Round& round) const
-{
-  if (!this->Gathers[r])
-    return 0;
-  // A power of two: the points of a stratified sequence are even over as many.
-  return static_cast<int>(std::exp2(std::max(0.0, std::round(std::log2(this->rayShare() * round.count)))));
-}
-
 double CompensatedLight::balance(std::size_t r, const Round& round) const
 {
   return this->Rays.alone() ? std::numeric_limits<double>::infinity() : rayWorth * this->rays(r, round) / round.count;
@@ -94,7 +86,10 @@ double CompensatedLight::balance(std::size_t r, const Round& round) const
 
 Round CompensatedLight::trace(long long first, int count, int replicates, Workers& workers) const
 {
-  return {first, count, this->Rays.trace(this->Source, this->Wanted.walks(), replicates, first, count, workers)};
+  // A power of two: the points of a stratified sequence are even over as many.
+  const double rays = std::exp2(std::max(0.0, std::round(std::log2(this->rayShare() * count))));
+  return {first, count, static_cast<int>(rays),
+          this->Rays.trace(this->Source, this->Wanted.walks(), replicates, first, count, workers)};
 }
 
 void CompensatedLight::score(const std::vector<Sensor>& sensors, std::size_t begin, std::size_t end, int replicate,

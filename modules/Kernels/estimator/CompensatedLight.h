@@ -17,6 +17,7 @@ struct Round
 {
   long long first;
   int count;
+  int rays;  ///< of each sensor that gathers, in each replicate
   std::vector<VertexPool> pools;
 };
 
@@ -64,7 +65,7 @@ public:
 private:
   double rayShare() const;  // gather rays per trajectory, of a sensor that gathers
   bool needsRays(const Sensor& sensor) const;
-  int rays(std::size_t r, const Round& round) const;
+  int rays(std::size_t r, const Round& round) const { return this->Gathers[r] ? round.rays : 0; }
   double balance(std::size_t r, const Round& round) const;  // gather rays per trajectory, as they count for G*
   void scoreVertices(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
                      Tally& tally) const;

@@ -47,7 +47,7 @@ std::size_t GatherWave::indirectLight(const Sensor& sensor, bool alone, const Sa
 {
   const double share = this->Rays.blockShare(this->Pool.trajectories, cellBlock);
   const std::size_t i = this->add(sensor, {share, true, alone}, random, false);
-  this->addVertices(i, sensor, cellBlock, alone);
+  this->addVertices(i, cellBlock);
   this->Going.push_back(i);
   return i;
 }
@@ -147,13 +147,11 @@ bool GatherWave::advance(std::size_t i, const SurfacePoint& y)
     return false;
   chain.alone = !isFarFrom(next.anchor, squared);
   chain.at = next;
-  this->addLuminaires(i, next);
-  this->addVertices(i, next, rayBlock, chain.alone);
+  this->addLuminaires(i);
+  this->addVertices(i, rayBlock);
+  // Vertices lit from a point by mirrors score elsewhere at full weight, but nowhere by a mirror again.
   if (whole && this->Rays.mirrored().any())
-  {
-    // Vertices lit from a point by mirrors score elsewhere at full weight, but nowhere by a mirror again.
     this->addWeighted(i, this->Rays.mirrored().illuminance(next));
-  }
   if (chain.first && !this->survives(chain))
     return false;
   chain.share = this->Later;
@@ -191,65 +189,64 @@ bool GatherWave::survives(Chain& chain) const
   return true;
 }
 
-void GatherWave::addLuminaires(std::size_t i, const Sensor& sensor)
+void GatherWave::addLuminaires(std::size_t i)
 {
   Chain& chain = this->Chains[i];
   DirectLight::Sample sample;
   Bands known{};
-  if (this->Rays.luminaires().propose(sensor, chain.random, sample, known))
-    this->addIfSeen(i, sensor, sample.target, sample.light, chain.alone);
-  if (sensor.brdf)
+  if (this->Rays.luminaires().propose(chain.at, chain.random, sample, known))
+    this->addIfSeen(i, sample.target, sample.light);
+  if (chain.at.brdf)
     this->addWeighted(i, known);
 }
 
-void GatherWave::addVertices(std::size_t i, const Sensor& sensor, int blockSize, bool alone)
+void GatherWave::addVertices(std::size_t i, int blockSize)
 {
   if (this->Rays.alone())
     return;
   const double share = this->Rays.blockShare(this->Pool.trajectories, blockSize);
-  this->addBlock(i, sensor, this->Pool.vertices->reflected, blockSize, share, alone);
-  this->addBlock(i, sensor, this->Pool.vertices->glossy, blockSize, share, alone);
-  this->addBlock(i, sensor, this->Pool.vertices->emitted, blockSize, share, alone);
+  this->addBlock(i, this->Pool.vertices->reflected, blockSize, share);
+  this->addBlock(i, this->Pool.vertices->glossy, blockSize, share);
+  this->addBlock(i, this->Pool.vertices->emitted, blockSize, share);
 }
 
-void GatherWave::addBlock(std::size_t i, const Sensor& sensor, const VertexSet& set, int blockSize, double share,
-                          bool alone)
+void GatherWave::addBlock(std::size_t i, const VertexSet& set, int blockSize, double share)
 {
   if (set.size() == 0)
     return;
   static_assert(rayBlock <= VertexTile::capacity && cellBlock <= VertexTile::capacity, "a block is scored as one tile");
   // A run of vertices from a random start, around the end: each is in it with the same probability.
-  Chain& chain = this->Chains[i];
-  const int bands = this->Rays.scene().bands();
   const std::size_t size = std::min<std::size_t>(blockSize, set.size());
-  const auto begin = static_cast<std::size_t>(chain.random.next() * static_cast<double>(set.size()));
+  const auto begin = static_cast<std::size_t>(this->Chains[i].random.next() * static_cast<double>(set.size()));
   const std::size_t straight = std::min(size, set.size() - begin);
   const double weight = static_cast<double>(set.size()) / static_cast<double>(size) / this->Pool.trajectories;
-  auto score = [&](std::size_t from, std::size_t count) {
-    const double u = chain.random.next();
-    PickedScore pick;
-    if (this->Rays.picksVertices())
-    {
-      if (!pickScore(set, from, static_cast<int>(count), sensor, share, u, pick))
-        return;
-    }
-    else
-    {
-      // Every pair has a shadow ray of its own, or none can be hidden.
-      pick.light = {};
-      const ShadowPicks all{this->Rays.shadows() ? &this->Rays.scene().rays() : nullptr, 0, u};
-      addPickedScores(set, from, static_cast<int>(count), sensor, share, all, pick.light.data());
-    }
-    for (int b = 0; b < bands; ++b)
-      pick.light[b] *= weight;
-    if (this->Rays.picksVertices())
-      this->addIfSeen(i, sensor, pick.target, pick.light, alone);
-    else
-      this->addWeighted(i, pick.light);
-  };
-  score(begin, straight);
+  this->addRun(i, set, begin, straight, share, weight);
   if (straight < size)
-    score(0, size - straight);
+    this->addRun(i, set, 0, size - straight, share, weight);
+}
+
+void GatherWave::addRun(std::size_t i, const VertexSet& set, std::size_t begin, std::size_t count, double share,
+                        double weight)
+{
+  Chain& chain = this->Chains[i];
+  const double u = chain.random.next();
+  PickedScore pick;
+  const bool picks = this->Rays.picksVertices();
+  if (!picks)
+  {
+    // Every pair has a shadow ray of its own, or none can be hidden.
+    pick.light = {};
+    const ShadowPicks all{this->Rays.shadows() ? &this->Rays.scene().rays() : nullptr, 0, u};
+    addPickedScores(set, begin, static_cast<int>(count), chain.at, share, all, pick.light.data());
+  }
+  else if (!pickScore(set, begin, static_cast<int>(count), chain.at, share, u, pick))
+    return;
+  for (std::size_t b = 0; b < this->Count; ++b)
+    pick.light[b] *= weight;
+  if (picks)
+    this->addIfSeen(i, pick.target, pick.light);
+  else
+    this->addWeighted(i, pick.light);
 }
 
 void GatherWave::addWeighted(std::size_t i, const Bands& light)
@@ -258,15 +255,16 @@ void GatherWave::addWeighted(std::size_t i, const Bands& light)
     this->found(i)[b] += this->Chains[i].throughput[b] * light[b];
 }
 
-void GatherWave::addIfSeen(std::size_t i, const Sensor& sensor, const RayAnchor& target, const Bands& light, bool alone)
+void GatherWave::addIfSeen(std::size_t i, const RayAnchor& target, const Bands& light)
 {
+  const Chain& chain = this->Chains[i];
   // What is no number must not hide: it stops the run.
   if (!this->Rays.shadows() || std::isnan(light[0]))
     return this->addWeighted(i, light);
-  this->Shadows.push_back({sensor.anchor, target, alone});
+  this->Shadows.push_back({chain.at.anchor, target, chain.alone});
   this->HopeOf.push_back(i);
   for (std::size_t b = 0; b < this->Count; ++b)
-    this->Hopes.push_back(this->Chains[i].throughput[b] * light[b]);
+    this->Hopes.push_back(chain.throughput[b] * light[b]);
 }
 
 void GatherWave::addSeen()

@@ -78,12 +78,13 @@ private:
   bool advance(std::size_t i, const SurfacePoint& y);
   void addEmission(std::size_t i, const SurfacePoint& y, double kernel, bool whole);
   bool survives(Chain& chain) const;
-  void addLuminaires(std::size_t i, const Sensor& sensor);
-  void addVertices(std::size_t i, const Sensor& sensor, int blockSize, bool alone);
-  void addBlock(std::size_t i, const Sensor& sensor, const VertexSet& set, int blockSize, double share, bool alone);
+  void addLuminaires(std::size_t i);
+  void addVertices(std::size_t i, int blockSize);
+  void addBlock(std::size_t i, const VertexSet& set, int blockSize, double share);
+  void addRun(std::size_t i, const VertexSet& set, std::size_t begin, std::size_t count, double share, double weight);
   double* found(std::size_t i) { return &this->Found[2 * i * this->Count]; }
   void addWeighted(std::size_t i, const Bands& light);
-  void addIfSeen(std::size_t i, const Sensor& sensor, const RayAnchor& target, const Bands& light, bool alone);
+  void addIfSeen(std::size_t i, const RayAnchor& target, const Bands& light);
   void addSeen();
 
   const Gathering& Rays;

@@ -13,7 +13,7 @@ namespace
 {
 constexpr int trajectoriesPerRay = 32;   // of a replicate, for each gather ray of a receiver in that replicate
 constexpr std::size_t chunk = 256;       // cells that one task estimates
-constexpr double largestHits = 1 << 22;  // kept at a time: 100 MB
+constexpr double largestHits = 1 << 22;  // kept at a time: 130 MB
 constexpr int smallestRound = 512;       // trajectories that always fit: their vertices light the cells
 constexpr int phases = 4;                // of a round
 

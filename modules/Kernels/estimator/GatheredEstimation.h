@@ -57,12 +57,7 @@ private:
 
     void add(const SegmentPacket& from, int i, std::size_t r, long long k)
     {
-      this->packet.ox[this->count] = from.ox[i];
-      this->packet.oy[this->count] = from.oy[i];
-      this->packet.oz[this->count] = from.oz[i];
-      this->packet.dx[this->count] = from.dx[i];
-      this->packet.dy[this->count] = from.dy[i];
-      this->packet.dz[this->count] = from.dz[i];
+      this->packet.set(this->count, {from.ox[i], from.oy[i], from.oz[i]}, {from.dx[i], from.dy[i], from.dz[i]});
       this->receiver[this->count] = r;
       this->ray[this->count++] = k;
     }

@@ -134,7 +134,8 @@ double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block
   return largest;
 }
 
-// A pick of one by u; false when nothing scores, or when the total is no number.
+// A pick of one by u; false when nothing scores, or when the total is no number. By pickSystematically() a solve took 1
+// % more instructions.
 bool pickOne(const TileScores& scores, double u, int& i, double& total)
 {
   double reached[lanes] = {};

@@ -77,12 +77,7 @@ public:
   double area(std::uint32_t triangle) const { return this->Areas[triangle]; }
   Vec3 corner(std::uint32_t triangle, int i) const { return this->Data.points[this->Data.triangles[triangle][i]]; }
 
-  /// First surface point along a ray from p, which lies on a surface of unit normal n (the side the ray leaves on).
-  SurfacePoint trace(const Vec3& p, const Vec3& n, const Vec3& direction) const
-  {
-    return this->trace(this->anchor(p, n), direction);
-  }
-  /// The same from a start, or from a point in free space.
+  /// First surface point along a ray from a start (see anchor()), or from a point in free space.
   SurfacePoint trace(const RayAnchor& start, const Vec3& direction) const;
 
   /// The surface point that a ray along `direction` has hit.

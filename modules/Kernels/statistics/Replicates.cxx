@@ -49,23 +49,27 @@ double studentQuantile(double level, int freedom)
   return 0.5 * (low + high);
 }
 
-int fewReplicates(long long trajectories)
+namespace
 {
-  if (trajectories < 8)
-    return replicateCount(trajectories);
-  for (int p = 8; p >= 5; --p)
+// The largest divisor of the trajectories from `most` down to `least`, else `most`; below, one for each.
+int divisor(long long trajectories, int most, int least)
+{
+  if (trajectories < most)
+    return static_cast<int>(std::max(2LL, trajectories));
+  for (int p = most; p >= least; --p)
     if (trajectories % p == 0)
       return p;
-  return 8;
+  return most;
 }
+}  // namespace
 
 int replicateCount(long long trajectories)
 {
-  if (trajectories < 32)
-    return static_cast<int>(std::max(2LL, trajectories));
-  for (int p = 32; p >= 16; --p)
-    if (trajectories % p == 0)
-      return p;
-  return 32;
+  return divisor(trajectories, 32, 16);
+}
+
+int fewReplicates(long long trajectories)
+{
+  return divisor(trajectories, 8, 5);
 }
 }  // namespace kalos
