@@ -6,6 +6,7 @@
 #include "Rooms.h"
 #include "Student.h"
 #include "estimator/Solver.h"
+#include "estimator/Trust.h"
 #include "statistics/Replicates.h"
 
 using namespace kalos;
@@ -112,6 +113,15 @@ TEST(Edges, LocalIsNotTrustedNearEdges)
       EXPECT_TRUE(result.trusted[i]);
     }
   }
+}
+
+// One score that makes half of the variance is doubted where those of other replicates are far smaller.
+TEST(Edges, AScoreThatMakesHalfOfTheVarianceIsDoubted)
+{
+  const MeanAndError estimate{10, 1};
+  EXPECT_TRUE(tailIsLight(0.069, true, estimate));
+  EXPECT_FALSE(tailIsLight(0.073, true, estimate));
+  EXPECT_TRUE(tailIsLight(0.073, false, estimate));
 }
 
 // In the open no value is doubted without need, also by few and stratified trajectories, when a bounded score can pass
