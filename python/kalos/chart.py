@@ -31,7 +31,8 @@ from kalos.validate import CASES, DATA, sobolev_case
 CLOSED_FORMS = [*CASES, replace(CASES[0], scene="chart/edge-furnace.json"),
                 replace(sobolev_case(0.5, 0.5, 0.5), scene="chart/sobolev-row.json")]
 GOALS = (0.05, 0.02, 0.01, 0.005, 0.003)
-SEEDS, FEWER_SEEDS, MANY = 4, 2, 20000  # runs a step, and where there are MANY values to tell an error from
+SEEDS, FEWER_SEEDS, MANY = 4, 2, 20000  # runs a step at least, and where there are MANY values to tell an error from
+MOST_SEEDS, SHARE = 32, 1 / 32  # more where all of a step take less than a share of the budget: errors of few values are uneven
 COLUMNS = ("contender", "effort", "seeds", "cpu_seconds", "rays", "rms_of_value", "p95_of_value", "max_of_value", "rms_of_mean",
            "p95_of_mean", "max_of_mean", "mean_off", "mean_off_error")
 
@@ -84,12 +85,15 @@ def find_truth(scene, room, count, out, folder):
 def climb(contender, truth, budget, seed):
     """Rows of the table, one a step: until the next step would exceed the budget; and the bias of all runs together."""
     rows, spent, effort, every, stated = [], 0.0, contender.START, [], []
-    seeds = SEEDS if truth.lit.sum() < MANY else FEWER_SEEDS
+    least = SEEDS if truth.lit.sum() < MANY else FEWER_SEEDS
     while True:
-        runs = []
-        for k in range(seeds):
-            runs.append(contender.solve(effort, seed + k))
+        runs, seeds = [], least
+        while len(runs) < seeds:
+            runs.append(contender.solve(effort, seed + len(runs)))
             stated.append(stated_bias(contender))
+            if len(runs) == least:
+                mean = sum(run.cpu_seconds for run in runs) / least
+                seeds = max(least, min(MOST_SEEDS, int(SHARE * budget / max(mean, 1e-4))))
         every += runs
         values, seconds = [run.values for run in runs], [run.cpu_seconds for run in runs]
         spent += sum(seconds)

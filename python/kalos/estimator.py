@@ -19,7 +19,7 @@ METHODS = {"compensated": 5, "gathered": 6, "local": 0, "sphere-published": 1, "
 
 
 # What vtkKalosIlluminance::Without switches off; none moves a mean.
-SAVINGS = ("stratified", "picked", "convex", "near", "paths", "effort", "exact-direct")
+SAVINGS = ("stratified", "picked", "convex", "near", "paths", "neighbours", "effort", "exact-direct")
 
 
 @dataclass(frozen=True)

@@ -75,7 +75,7 @@ void expectSame(const Result& a, const Result& b)
 Result expectResumed(const Receivers& receivers, Settings s, Shelf& shelf)
 {
   const Scene scene(room());
-  const Result whole = solve(scene, receivers, s);
+  Result whole = solve(scene, receivers, s);
   s.checkpoint = nullptr;
   expectSame(solve(scene, receivers, s), whole);
   EXPECT_GE(shelf.Saved.size(), 3u);
@@ -155,7 +155,7 @@ TEST(Checkpoint, ResumedSolvesLetTheSameReceiversRest)
     Shelf shelf;
     Settings s = settings(method, shelf);
     s.trajectories *= 8;
-    s.relativeError = 0.006;
+    s.relativeError = method == Method::Gathered ? 0.004 : 0.006;  // far from where a pilot is
     const Result whole = expectResumed(r, s, shelf);
     const auto spared = std::find_if(whole.audit.begin(), whole.audit.end(),
                                      [](const AuditLine& line) { return line.subject == "effort"; });

@@ -104,17 +104,19 @@ TEST(SurfaceCache, RepresentativesAreDrawnUniformly)
 TEST(GatherPattern, RaysAreCosineWeightedAndStratified)
 {
   constexpr int count = 240, receivers = 400;
+  const Vec3 origin{1, 2, 3};
   const Vec3 normal = normalized({0.3, -0.5, 0.8});
   double cosine = 0, squares[2] = {};
   for (const Sampling sampling : {Sampling::Independent, Sampling::Sobol})
     for (std::uint64_t r = 0; r < receivers; ++r)
     {
       const GatherPattern pattern(sampling, r / 16, 0, count);
+      const std::vector<GatherStart> start{{origin, normal, r}};
       Vec3 sum;
       for (int begin = 0; begin < count; begin += SegmentPacket::width)
       {
         SegmentPacket packet;
-        pattern.rays({1, 2, 3}, normal, r, begin, packet);
+        pattern.rays(start, count, r, begin, packet);
         for (int i = 0; i < SegmentPacket::width; ++i)
         {
           const Vec3 direction{packet.dx[i], packet.dy[i], packet.dz[i]};
@@ -138,15 +140,55 @@ TEST(GatherPattern, PacketsAreNarrow)
 {
   constexpr int count = 256;
   const GatherPattern pattern(Sampling::Sobol, 7, 0, count);
+  const std::vector<GatherStart> start{{{0, 0, 0}, {0, 0, 1}, 8}};
   for (int begin = 0; begin < count; begin += SegmentPacket::width)
   {
     SegmentPacket packet;
-    pattern.rays({0, 0, 0}, {0, 0, 1}, 8, begin, packet);
+    pattern.rays(start, count, 8, begin, packet);
     Vec3 mean;
     for (int i = 0; i < SegmentPacket::width; ++i)
       mean += (1.0 / SegmentPacket::width) * Vec3{packet.dx[i], packet.dy[i], packet.dz[i]};
     EXPECT_GT(length(mean), 0.9);
   }
+}
+
+// Sixteen receivers with eight rays each: every one has eight of its own, as even as Sobol' points are, and all
+// together are as even as 128: in each half, quarter and eighth of the heights there are as many.
+TEST(GatherPattern, ReceiversOfAGroupHaveRunsOfOneSequence)
+{
+  constexpr int rays = 8, receivers = 16;
+  const GatherPattern pattern(Sampling::Sobol, 5, 256, rays * receivers);
+  std::vector<GatherStart> starts;
+  starts.reserve(receivers);
+  for (int k = 0; k < receivers; ++k)
+    starts.emplace_back(Vec3{1.0 * k, 0, 0}, Vec3{0, 0, 1}, 3);
+  ASSERT_EQ(pattern.size(), rays * receivers);
+  int own[receivers][rays] = {}, ofReceiver[receivers] = {}, all[receivers * rays] = {};
+  bool had[receivers][rays] = {};
+  for (int begin = 0; begin < pattern.size(); begin += SegmentPacket::width)
+  {
+    SegmentPacket packet;
+    pattern.rays(starts, rays, 3, begin, packet);
+    for (int i = 0; i < SegmentPacket::width; ++i)
+    {
+      const int k = pattern.place(begin + i) / rays, ray = pattern.place(begin + i) % rays;
+      const double height = 1 - packet.dz[i] * packet.dz[i];
+      ++own[k][static_cast<int>(rays * height)];
+      ++all[static_cast<int>(rays * receivers * height)];
+      ++ofReceiver[k];
+      EXPECT_FALSE(had[k][ray]);
+      had[k][ray] = true;
+      EXPECT_EQ(packet.ox[i], static_cast<float>(k));
+    }
+  }
+  for (int k = 0; k < receivers; ++k)
+  {
+    EXPECT_EQ(ofReceiver[k], rays);
+    for (const int count : own[k])
+      EXPECT_EQ(count, 1) << "receiver " << k;
+  }
+  for (const int count : all)
+    EXPECT_EQ(count, 1);
 }
 
 // 20 receivers within 6.1 standard errors (7 degrees of freedom: false alarm 1e-2 over all), at edges too.

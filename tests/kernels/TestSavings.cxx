@@ -31,16 +31,18 @@ enum class Kind
   Furnished,
   Empty,
   Luminous,
-  Goaled  // furnished, solved to an error
+  Goaled,  // furnished, solved to an error
+  Grid     // furnished, with many receivers, gathered
 };
 
 // Where a saving saves.
 Kind roomFor(const std::string& saving)
 {
-  return saving == "convex"   ? Kind::Empty
-         : saving == "paths"  ? Kind::Luminous
-         : saving == "effort" ? Kind::Goaled
-                              : Kind::Furnished;
+  return saving == "convex"       ? Kind::Empty
+         : saving == "paths"      ? Kind::Luminous
+         : saving == "effort"     ? Kind::Goaled
+         : saving == "neighbours" ? Kind::Grid
+                                  : Kind::Furnished;
 }
 
 // Receivers in the open, in the panel's half-shadow and 2 mm from an edge.
@@ -49,11 +51,13 @@ Result solveRoom(Kind kind, const std::string& without, std::uint64_t seed)
   const Scene scene(kind == Kind::Luminous ? rooms::furnace(0.5, 100) : panelRoom(kind == Kind::Empty));
   Receivers receivers;
   receivers.points = {{3.75, 1.2, 2}, {0.9, 2.2, 0}, {0.002, 2.5, 0}, {2.5, 1.25, 2.5}, {4.6, 4.6, 1}};
-  for (int i = 0; kind == Kind::Goaled && i < 40; ++i)
+  for (int i = 0; (kind == Kind::Goaled || kind == Kind::Grid) && i < 40; ++i)
     receivers.points.push_back({0.5 + 0.1 * i, 2.5, 4});
   receivers.normals.assign(receivers.points.size(), {0, 0, 1});
   Settings s;
   s.trajectories = 4800;
+  if (kind == Kind::Grid)
+    s.method = Method::Gathered;
   if (kind == Kind::Goaled)
   {
     s.trajectories = 200000;
@@ -117,13 +121,15 @@ TEST_P(Savings, ChangeTheWork)
       EXPECT_NEAR(with.illuminance[r], without.illuminance[r], 1e-5 * with.illuminance[r]);
   else
     EXPECT_NE(with.illuminance, without.illuminance) << "other random numbers or weights";
-  const bool ofRays = name != "stratified";
+  const bool ofRays = name != "stratified" && name != "neighbours";  // more rays, of which each finds more
   EXPECT_EQ(without.rays > with.rays, ofRays) << without.rays << " against " << with.rays;
-  EXPECT_EQ(with.direct != without.direct, name != "picked" && name != "convex" && name != "near");
+  EXPECT_EQ(with.direct != without.direct,
+            name != "picked" && name != "convex" && name != "near" && name != "neighbours");
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Savings,
-                         testing::Values("stratified", "picked", "convex", "near", "paths", "effort", "exact-direct"),
+                         testing::Values("stratified", "picked", "convex", "near", "paths", "neighbours", "effort",
+                                         "exact-direct"),
                          [](const auto& tested) {
                            std::string name = tested.param;
                            std::replace(name.begin(), name.end(), '-', '_');
@@ -144,7 +150,7 @@ TEST(SavingNames, AreListedWhenOneIsWrong)
   catch (const std::invalid_argument& error)
   {
     EXPECT_STREQ(error.what(),
-                 "without: 'walls' is no saving, expected some of stratified, picked, convex, near, paths, effort, "
-                 "exact-direct");
+                 "without: 'walls' is no saving, expected some of stratified, picked, convex, near, paths, neighbours, "
+                 "effort, exact-direct");
   }
 }

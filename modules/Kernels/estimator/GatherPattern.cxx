@@ -9,26 +9,6 @@ namespace
 {
 constexpr int width = SegmentPacket::width;
 
-// The axes of a frame, single precision: directions are x u + y v + z n.
-struct Axes
-{
-  float u[3], v[3], n[3];
-};
-
-void turn(const std::uint32_t* height, const float* cosine, const float* sine, std::uint32_t shift, const Axes& axes,
-          float* __restrict dx, float* __restrict dy, float* __restrict dz)
-{
-  for (int i = 0; i < width; ++i)
-  {
-    // 23 bits and a half: in (0,1), so that no ray lies on the horizon.
-    const float u = (static_cast<float>(static_cast<std::int32_t>((height[i] ^ shift) >> 9)) + 0.5f) * 0x1.0p-23f;
-    const float s = std::sqrt(u), z = std::sqrt(1 - u), x = s * cosine[i], y = s * sine[i];
-    dx[i] = x * axes.u[0] + y * axes.v[0] + z * axes.n[0];
-    dy[i] = x * axes.u[1] + y * axes.v[1] + z * axes.n[1];
-    dz[i] = x * axes.u[2] + y * axes.v[2] + z * axes.n[2];
-  }
-}
-
 // The bits of a before those of b, 16 each: near in this order is near in both.
 std::uint32_t interleave(std::uint32_t a, std::uint32_t b)
 {
@@ -49,13 +29,26 @@ void store(const Vec3& v, float* out)
 }
 }  // namespace
 
+GatherStart::GatherStart(const Vec3& from, const Vec3& normal, std::uint64_t key)
+{
+  const double angle = 2 * pi * 0x1.0p-32 * static_cast<double>(mixBits(key) >> 32);
+  const double c = std::cos(angle), s = std::sin(angle);
+  const Frame frame(normal);
+  store(from, this->origin);
+  store(c * frame.s + s * frame.t, this->u);
+  store(c * frame.t - s * frame.s, this->v);
+  store(normal, this->n);
+}
+
 GatherPattern::GatherPattern(Sampling sampling, std::uint64_t key, long long first, int count) : Count(count)
 {
   struct Point
   {
     std::uint32_t height, azimuth, place;
+    int k;
   };
   std::vector<Point> points;
+  points.reserve(static_cast<std::size_t>(count) + width);
   const std::uint64_t seeds = mixBits(key);
   for (int k = 0; k < count; ++k)
   {
@@ -73,13 +66,15 @@ GatherPattern::GatherPattern(Sampling sampling, std::uint64_t key, long long fir
       bits[0] = static_cast<std::uint32_t>(random);
       bits[1] = static_cast<std::uint32_t>(random >> 32);
     }
-    points.push_back({bits[0], bits[1], interleave(bits[1] >> 16, bits[0] >> 16)});
+    points.push_back({bits[0], bits[1], interleave(bits[1] >> 16, bits[0] >> 16), k});
   }
-  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.place < b.place; });
+  std::sort(points.begin(), points.end(),
+            [](const Point& a, const Point& b) { return a.place != b.place ? a.place < b.place : a.k < b.k; });
   const int padded = (count + width - 1) / width * width;
   points.resize(static_cast<std::size_t>(padded), points.back());
   for (const Point& point : points)
   {
+    this->Place.push_back(point.k);
     this->Height.push_back(point.height);
     const double azimuth = 2 * pi * 0x1.0p-32 * point.azimuth;
     this->Cosine.push_back(static_cast<float>(std::cos(azimuth)));
@@ -87,21 +82,25 @@ GatherPattern::GatherPattern(Sampling sampling, std::uint64_t key, long long fir
   }
 }
 
-void GatherPattern::rays(const Vec3& origin, const Vec3& normal, std::uint64_t key, int begin,
+void GatherPattern::rays(const std::vector<GatherStart>& starts, int each, std::uint64_t key, int begin,
                          SegmentPacket& packet) const
 {
-  const std::uint64_t random = mixBits(key);
-  const double angle = 2 * pi * 0x1.0p-32 * static_cast<double>(random >> 32);
-  const double c = std::cos(angle), s = std::sin(angle);
-  const Frame frame(normal);
-  Axes axes;
-  store(c * frame.s + s * frame.t, axes.u);
-  store(c * frame.t - s * frame.s, axes.v);
-  store(normal, axes.n);
-  std::fill_n(packet.ox, width, static_cast<float>(origin.x));
-  std::fill_n(packet.oy, width, static_cast<float>(origin.y));
-  std::fill_n(packet.oz, width, static_cast<float>(origin.z));
-  turn(&this->Height[begin], &this->Cosine[begin], &this->Sine[begin], static_cast<std::uint32_t>(random), axes,
-       packet.dx, packet.dy, packet.dz);
+  const auto shift = static_cast<std::uint32_t>(mixBits(key));
+  GatherStart from[width];
+  for (int i = 0; i < width; ++i)
+    from[i] = starts[std::min<std::size_t>(starts.size() - 1, this->Place[begin + i] / each)];
+  for (int i = 0; i < width; ++i)
+  {
+    // 23 bits and a half: in (0,1), so that no ray lies on the horizon.
+    const float h =
+        (static_cast<float>(static_cast<std::int32_t>((this->Height[begin + i] ^ shift) >> 9)) + 0.5f) * 0x1.0p-23f;
+    const float s = std::sqrt(h), z = std::sqrt(1 - h), x = s * this->Cosine[begin + i], y = s * this->Sine[begin + i];
+    packet.ox[i] = from[i].origin[0];
+    packet.oy[i] = from[i].origin[1];
+    packet.oz[i] = from[i].origin[2];
+    packet.dx[i] = x * from[i].u[0] + y * from[i].v[0] + z * from[i].n[0];
+    packet.dy[i] = x * from[i].u[1] + y * from[i].v[1] + z * from[i].n[1];
+    packet.dz[i] = x * from[i].u[2] + y * from[i].v[2] + z * from[i].n[2];
+  }
 }
 }  // namespace kalos

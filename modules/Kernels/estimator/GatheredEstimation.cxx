@@ -11,32 +11,41 @@ namespace kalos
 {
 namespace
 {
-constexpr int trajectoriesPerRay = 32;   // of a replicate, for each gather ray of a receiver in that replicate
-constexpr std::size_t chunk = 256;       // cells that one task estimates
-constexpr double largestHits = 1 << 22;  // kept at a time: 130 MB
-constexpr int smallestRound = 512;       // trajectories that always fit: their vertices light the cells
-constexpr int phases = 4;                // of a round
+constexpr int trajectoriesPerSample = 32;  // of a replicate, for each sample of direct light
+constexpr std::size_t chunk = 256;         // cells that one task estimates
+constexpr double largestHits = 1 << 22;    // kept at a time: 130 MB
+constexpr int smallestRound = 512;         // trajectories that always fit: their vertices light the cells
+constexpr int phases = 4;                  // of a round
 
 // Width of cells over the distance that they are seen from, before it is rounded down to a power of two, for so many
 // rays of each receiver in a round of one replicate. Where few rays share a cell it takes more time than it saves
-// noise: with a quarter for 16 rays, a floor of 64 x 64 points took 1.5 times longer to the same error. Twice as wide
-// at 40 rays saved it an eighth of the time, but places in the dark behind a box came out 3 % too bright.
+// noise: cells twice as wide took 1.6 times longer to 0.5 % on a plane of 64 x 64 points, cells half as wide a tenth
+// longer to 2 % on walls. Wider than a quarter, places in the dark behind a box came out 6 to 10 % too bright.
 float cellShare(int rays, std::size_t receivers)
 {
-  constexpr float finest = 0.25f, widest = 1, enoughRays = 16 / widest, enoughHits = 256 / widest;
+  constexpr float finest = 0.0625f, widest = 0.25f, enoughRays = 4, enoughHits = 64;
   const float hits = static_cast<float>(rays) * static_cast<float>(receivers);
   return std::clamp(std::min(enoughRays / static_cast<float>(rays), enoughHits / std::sqrt(hits)), finest, widest);
 }
-
+// Light that leaves a diffuse surface is the same for all who see it.
+bool isMostlyDiffuse(const Scene& scene)
+{
+  double diffuse = 0;
+  for (std::uint32_t t = 0; t < scene.data().triangles.size(); ++t)
+    diffuse += scene.brdf(t).isLambertian() ? scene.area(t) : 0;
+  return diffuse > 0.5 * scene.surfaceArea();
+}
 }  // namespace
 
 GatheredEstimation::GatheredEstimation(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Lit(scene),
       Wanted(settings),
       Source(scene),
-      Direct(scene, receivers, settings, trajectoriesPerRay),
+      Direct(scene, receivers, settings, trajectoriesPerSample),
       Rays(scene, this->Source, settings, this->Direct.shadows()),
-      Faces(facesOf(scene))
+      Faces(facesOf(scene)),
+      Order(orderOf(this->Direct.sensors())),
+      MostlyDiffuse(isMostlyDiffuse(scene))
 {
 }
 
@@ -53,10 +62,32 @@ bool GatheredEstimation::prepare(Workers& workers, Tally& tally)
   return this->Direct.prepare(workers, tally);
 }
 
+bool GatheredEstimation::sharesRays() const
+{
+  return !this->Rays.alone() && !this->Wanted.ownRays && this->MostlyDiffuse;
+}
+
+int GatheredEstimation::groupSize() const
+{
+  return this->sharesRays() ? ReceiverGroup::capacity : 1;
+}
+
+int GatheredEstimation::trajectoriesPerRay() const
+{
+  constexpr int alone = 32, least = 16, most = 256;
+  if (!this->sharesRays())
+    return alone;
+  int each = least;
+  while (each < most && static_cast<double>(each) * each < 8 * static_cast<double>(this->Order.size()))
+    each *= 2;
+  return each;
+}
+
 Pace GatheredEstimation::pace() const
 {
-  constexpr double scores = 16;  // as long as a gather ray takes, with its share of a cell
-  return {trajectoriesPerRay, smallestRound, scores / trajectoriesPerRay};
+  const double scores = this->sharesRays() ? 48 : 16;  // as long as a ray takes, with all that it leads to
+  const int each = this->trajectoriesPerRay();
+  return {each, smallestRound, scores / each};
 }
 
 bool GatheredEstimation::addRound(long long first, int count, Workers& workers, Tally& tally)
@@ -70,7 +101,7 @@ bool GatheredEstimation::addRound(long long first, int count, Workers& workers, 
   if (pools.empty())
     return false;
   tally.noteEnergy(pools);
-  const int rays = (count + trajectoriesPerRay - 1) / trajectoriesPerRay;
+  const int each = this->trajectoriesPerRay(), rays = (count + each - 1) / each;
   std::vector<Replicate> round(this->Replicates);
   for (int p = 0; p < this->Replicates; ++p)
   {
@@ -80,7 +111,7 @@ bool GatheredEstimation::addRound(long long first, int count, Workers& workers, 
 
   // As many replicates at a time as there is room for their hits.
   const Workers::Replicates mine = workers.mine(this->Replicates);
-  const double hits = static_cast<double>(rays) * static_cast<double>(tally.active());
+  const double hits = static_cast<double>(rays) * static_cast<double>(tally.receivers());
   const int together = static_cast<int>(std::clamp(largestHits / hits, 1.0, static_cast<double>(this->Replicates)));
   const int steps = phases * ((mine.last - mine.first + together - 1) / together);
   bool going = true;

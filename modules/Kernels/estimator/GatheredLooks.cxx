@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one tile of receivers sees in a round of estimator/GatheredEstimation.h, and how that lights it.
+// What one tile of receivers sees in a round of estimator/GatheredEstimation.h.
 #include "estimator/GatheredEstimation.h"
 
 #include <limits>
-#include <numeric>
 
 #include "estimator/GatherPattern.h"
 
@@ -12,7 +11,6 @@ namespace kalos
 namespace
 {
 constexpr int width = SegmentPacket::width;
-constexpr int checkEvery = 64;  // shared hits, for each that is estimated at its own place too
 
 constexpr GatherWave::Start wholeLight(bool seesEmission)
 {
@@ -27,51 +25,83 @@ std::uint64_t GatheredEstimation::seedOfCells(int replicate) const
          mixBits(static_cast<std::uint64_t>(this->RaysDone));
 }
 
+std::vector<ReceiverGroup> GatheredEstimation::groups(std::size_t tile, const Tally& tally) const
+{
+  const auto& sensors = this->Direct.sensors();
+  std::vector<ReceiverGroup> found;
+  for (std::size_t i = tile * tileSize; i < std::min(sensors.size(), (tile + 1) * tileSize); ++i)
+  {
+    const std::size_t r = this->Order[i];
+    if (tally.rests(r) || sensors[r].brdf)
+      continue;
+    if (found.empty() || found.back().size() == this->groupSize())
+      found.emplace_back();
+    found.back().add(r, sensors[r]);
+  }
+  return found;
+}
+
+int GatheredEstimation::raysOfEach(const ReceiverGroup& group, int rays) const
+{
+  int size = 1;
+  while (size < group.size())
+    size *= 2;
+  return rays * this->groupSize() / size;
+}
+
 void GatheredEstimation::look(std::size_t tile, int replicate, const Replicate& round, int rays, Looks& looks,
                               Tally& tally) const
 {
   const auto& sensors = this->Direct.sensors();
   const std::uint64_t key =
       mixBits(mixBits(this->Wanted.seed + tile) + static_cast<std::uint64_t>(replicate)) + 0x67617468;
-  const GatherPattern pattern(this->Wanted.sampling, key, this->RaysDone, rays);
+  const long long first = this->RaysDone * this->groupSize();
+  const int count = rays * this->groupSize();  // of a group; a receiver whose rays serve no other has as many
+  const GatherPattern pattern(this->Wanted.sampling, key, first, count);
   ReceiverRays unshared(this->Rays, round.pool, replicate, tally);
   SegmentPacket drawn;
   Sight sight;
-  const std::size_t first = tile * tileSize, last = std::min(sensors.size(), first + tileSize);
-  looks.ends.assign(last - first, 0);  // how many, until they are summed up
-  for (std::size_t r = first; r < last; ++r)
+  for (std::size_t i = tile * tileSize; i < std::min(sensors.size(), (tile + 1) * tileSize); ++i)
   {
-    if (tally.rests(r))
+    const std::size_t r = this->Order[i];
+    if (tally.rests(r) || !sensors[r].brdf)
       continue;
-    if (sensors[r].brdf)
+    const Walks walks = this->Wanted.walks().ofReceiver(r);
+    for (long long k = first; k < first + count; ++k)
+      unshared.gather(r, count, sensors[r], wholeLight(!this->Direct.exactMeshes(r)),
+                      walks.stream(replicate, Purpose::Gather, k));
+  }
+  for (const ReceiverGroup& group : this->groups(tile, tally))
+  {
+    const std::uint64_t own = mixBits(this->Wanted.seed + group.receiver(0)) + static_cast<std::uint64_t>(replicate);
+    std::vector<GatherStart> starts;
+    for (int k = 0; k < group.size(); ++k)
     {
-      const Walks walks = this->Wanted.walks().ofReceiver(r);
-      for (long long k = this->RaysDone; k < this->RaysDone + rays; ++k)
-        unshared.gather(r, rays, sensors[r], wholeLight(!this->Direct.exactMeshes(r)),
-                        walks.stream(replicate, Purpose::Gather, k));
-      continue;
+      const Sensor& sensor = sensors[group.receiver(k)];
+      starts.emplace_back(sensor.anchor.lifted, sensor.normal, own);
     }
-    // Few rays of a receiver share a packet with its neighbours'.
-    const std::uint64_t own = mixBits(this->Wanted.seed + r) + static_cast<std::uint64_t>(replicate);
-    for (int begin = 0; begin < rays; begin += width)
+    const int each = this->raysOfEach(group, rays);
+    for (int begin = 0; begin < pattern.size(); begin += width)
     {
-      const int count = std::min(width, rays - begin);
-      pattern.rays(sensors[r].anchor.lifted, sensors[r].normal, own, begin, drawn);
-      for (int i = 0; i < count; ++i)
+      pattern.rays(starts, each, own, begin, drawn);
+      for (int i = begin; i < std::min(begin + width, pattern.size()); ++i)
       {
-        sight.add(drawn, i, r, this->RaysDone + begin + i);
+        const int finder = pattern.place(i) / each;
+        if (finder >= group.size())
+          continue;
+        sight.add(drawn, i - begin, finder, pattern.place(i) % each);
         if (sight.count == width)
-          this->see(sight, replicate, rays, round, looks, unshared);
+          this->see(sight, group, replicate, each, round, looks, unshared);
       }
     }
+    this->see(sight, group, replicate, each, round, looks, unshared);
+    looks.ends.push_back(looks.hits.size());
   }
-  this->see(sight, replicate, rays, round, looks, unshared);
-  std::partial_sum(looks.ends.begin(), looks.ends.end(), looks.ends.begin());
   unshared.finish();
 }
 
-void GatheredEstimation::see(Sight& sight, int replicate, int rays, const Replicate& round, Looks& looks,
-                             ReceiverRays& unshared) const
+void GatheredEstimation::see(Sight& sight, const ReceiverGroup& group, int replicate, int each, const Replicate& round,
+                             Looks& looks, ReceiverRays& unshared) const
 {
   if (sight.count == 0)
     return;
@@ -83,7 +113,7 @@ void GatheredEstimation::see(Sight& sight, int replicate, int rays, const Replic
     const std::uint32_t triangle = found.triangle[i];
     if (triangle == HitPacket::noTriangle)
       continue;
-    const std::size_t r = sight.receiver[i];
+    const std::size_t r = group.receiver(sight.finder[i]);
     const Sensor& sensor = this->Direct.sensors()[r];
     const Face& face = this->Faces[triangle];
     const float d[3] = {packet.dx[i], packet.dy[i], packet.dz[i]}, t = found.distance[i];
@@ -91,19 +121,19 @@ void GatheredEstimation::see(Sight& sight, int replicate, int rays, const Replic
     SurfaceHit hit{{packet.ox[i] + t * d[0], packet.oy[i] + t * d[1], packet.oz[i] + t * d[2]},
                    2 * triangle + (front ? 1 : 0),
                    0,
-                   !isFarFrom(sensor.anchor, static_cast<double>(t * t))};
+                   !isFarFrom(sensor.anchor, static_cast<double>(t * t)),
+                   static_cast<std::uint8_t>(sight.finder[i])};
     if (this->Lit.brdf(triangle).isLambertian())
     {
       hit.cell = cellKey(face, hit, t, round.cellShare);
       looks.hits.push_back(hit);
-      ++looks.ends[r % tileSize];
       continue;
     }
     const Vec3 direction{d[0], d[1], d[2]};
     const Walks walks{this->Wanted.seed, Sampling::Independent};
-    unshared.follow(r, rays, sensor, direction, this->Lit.trace(sensor.anchor, direction),
-                    wholeLight(!this->Direct.exactMeshes(r)),
-                    walks.ofReceiver(r).stream(replicate, Purpose::Gather, sight.ray[i]));
+    unshared.follow(
+        r, each, sensor, direction, this->Lit.trace(sensor.anchor, direction), wholeLight(!this->Direct.exactMeshes(r)),
+        walks.ofReceiver(r).stream(replicate, Purpose::Gather, this->RaysDone * this->groupSize() + sight.ray[i]));
   }
   sight.count = 0;
 }
@@ -122,101 +152,5 @@ void GatheredEstimation::estimate(const SurfaceHit& hit, int replicate, GatherWa
   wave.indirectLight(this->at(hit), hit.near,
                      SampleStream(Sampling::Independent, this->seedOfCells(replicate),
                                   static_cast<std::uint64_t>(replicate), Purpose::Gather, hit.cell));
-}
-
-void GatheredEstimation::lightByLamps(const SurfaceHit* hits, int count, SampleStream& random, Bands* light) const
-{
-  // A packet's rays start an offset above the surface: where hits are so near that this is too much, each has a ray.
-  Sensor sensors[width];
-  bool afar = true;
-  for (int i = 0; i < count; ++i)
-  {
-    sensors[i] = this->at(hits[i]);
-    afar = afar && !hits[i].near;
-  }
-  if (afar)
-    this->Rays.luminaireLight(sensors, count, random, light);
-  else
-    for (int i = 0; i < count; ++i)
-      light[i] = this->Rays.luminaireLight(sensors[i], random);
-}
-
-void GatheredEstimation::collect(std::size_t tile, int replicate, const Replicate& round, int rays, const Looks& looks,
-                                 Tally& tally, Check& check) const
-{
-  const int bands = tally.bands();
-  const double weight = static_cast<double>(round.pool.trajectories) / rays;
-  const std::uint64_t seed = mixBits(this->seedOfCells(replicate) + tile + 1);
-  std::vector<const SurfaceHit*> checked;
-  Bands lamps[width];  // of sixteen hits, whosever they are
-  std::size_t i = 0, r = tile * tileSize;
-  for (const std::size_t end : looks.ends)
-  {
-    if (tally.rests(r))
-    {
-      ++r;
-      continue;
-    }
-    const bool exactMeshes = this->Direct.exactMeshes(r);
-    Bands sum{}, emission{};
-    double largest = 0;
-    for (; i < end; ++i)
-    {
-      const SurfaceHit& hit = looks.hits[i];
-      if (i % width == 0)
-      {
-        // Each hit draws a luminaire of its own; a packet of them shares a stream of random numbers.
-        SampleStream random(Sampling::Independent, seed, static_cast<std::uint64_t>(replicate), Purpose::Gather, i);
-        this->lightByLamps(&hit, static_cast<int>(std::min<std::size_t>(width, looks.hits.size() - i)), random, lamps);
-      }
-      const Material& material = this->Lit.material(hit.side / 2);
-      const double* e = &round.indirect[hit.cell * bands];
-      Bands value;
-      for (int b = 0; b < bands; ++b)
-      {
-        const double m = (hit.side & 1) && !exactMeshes ? material.exitance[b] : 0;
-        value[b] = m + material.reflectance[b] * (lamps[i % width][b] + e[b]);
-        emission[b] += m;
-        sum[b] += value[b];
-      }
-      const double luminous = photometric(value, bands);
-      largest = luminous >= 0 ? std::max(largest, luminous) : std::numeric_limits<double>::quiet_NaN();  // to stay
-      check.sum += luminous;
-      if (round.cache.cells()[hit.cell].hits < 2)
-        continue;
-      check.shared += 1;
-      if (static_cast<long long>(check.shared) % checkEvery == checkEvery / 2)
-        checked.push_back(&hit);
-    }
-    check.rays += rays;
-    tally.noteScore(r, replicate, weight * largest);
-    for (int b = 0; b < bands; ++b)
-    {
-      tally.total(r, replicate)[b] += weight * sum[b];
-      tally.direct(r, replicate)[b] += weight * emission[b];
-    }
-    ++r;
-  }
-  check.excess += checkEvery * this->excess(checked, replicate, round);
-}
-
-double GatheredEstimation::excess(const std::vector<const SurfaceHit*>& hits, int replicate,
-                                  const Replicate& round) const
-{
-  GatherWave wave(this->Rays, round.pool);
-  for (const SurfaceHit* hit : hits)
-    this->estimate(*hit, replicate, wave);
-  wave.run();
-  const int bands = this->Lit.bands();
-  double excess = 0;
-  for (std::size_t i = 0; i < hits.size(); ++i)
-  {
-    const Material& material = this->Lit.material(hits[i]->side / 2);
-    Bands difference;
-    for (int b = 0; b < bands; ++b)
-      difference[b] = material.reflectance[b] * (round.indirect[hits[i]->cell * bands + b] - wave.light(i)[b]);
-    excess += photometric(difference, bands);
-  }
-  return excess;
 }
 }  // namespace kalos

@@ -22,6 +22,7 @@ const Saving savings[] = {
     {"convex", [](const Settings& s) { return s.shadowConvexRooms; }, [](Settings& s) { s.shadowConvexRooms = true; }},
     {"near", [](const Settings& s) { return s.gatherEverywhere; }, [](Settings& s) { s.gatherEverywhere = true; }},
     {"paths", [](const Settings& s) { return s.alwaysVertices; }, [](Settings& s) { s.alwaysVertices = true; }},
+    {"neighbours", [](const Settings& s) { return s.ownRays; }, [](Settings& s) { s.ownRays = true; }},
     {"effort", [](const Settings& s) { return s.evenEffort; }, [](Settings& s) { s.evenEffort = true; }},
     {"exact-direct", [](const Settings& s) { return s.sampleDirect; }, [](Settings& s) { s.sampleDirect = true; }},
 };

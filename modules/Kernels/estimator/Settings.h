@@ -47,6 +47,7 @@ struct Settings
   bool shadowEveryPair = false;    ///< a shadow ray for every pair that scores
   bool shadowConvexRooms = false;  ///< shadow rays where nothing can occlude
   bool alwaysVertices = false;     ///< vertices score where paths from the receivers alone are better, too
+  bool ownRays = false;            ///< gather rays light the receiver that sent them alone, not its neighbours
   bool evenEffort = false;         ///< all receivers go on until the last has reached the goal
   bool sampleDirect = false;       ///< area emitters are sampled, not known in closed form
 

@@ -28,10 +28,11 @@ std::vector<Face> facesOf(const Scene& scene);
 /// Where a gather ray has hit.
 struct SurfaceHit
 {
-  float position[3];   ///< m
-  std::uint32_t side;  ///< twice the triangle, plus 1 for its front
-  std::uint64_t cell;  ///< key of its cell; the cell's index once SurfaceCache::add() has seen it
-  bool near = false;   ///< to what it is seen from: rays in single precision do not serve, see isFarFrom()
+  float position[3];        ///< m
+  std::uint32_t side;       ///< twice the triangle, plus 1 for its front
+  std::uint64_t cell;       ///< key of its cell; the cell's index once SurfaceCache::add() has seen it
+  bool near = false;        ///< to what it is seen from: rays in single precision do not serve, see isFarFrom()
+  std::uint8_t finder = 0;  ///< whose ray it was, of a group of receivers
 };
 
 /// Key of the cell about a hit that is seen from `distance` (m), `share` of it wide: equal only for hits on parallel

@@ -49,10 +49,15 @@ void shadow(const RayScene& scene, Packet& packet, std::vector<ShadowRay>& rays)
 }
 }  // namespace
 
-bool isFarFrom(const RayAnchor& start, double squaredDistance)
+double squaredNearness(const RayAnchor& start)
 {
   const Vec3 lift = start.lifted - start.point;
-  return squaredDistance > far * far * dot(lift, lift);
+  return far * far * dot(lift, lift);
+}
+
+bool isFarFrom(const RayAnchor& start, double squaredDistance)
+{
+  return squaredDistance > squaredNearness(start);
 }
 
 bool isInGap(const Scene& scene, const Vec3& p, const Vec3& n)

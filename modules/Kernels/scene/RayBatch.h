@@ -15,6 +15,9 @@ namespace kalos
 /// surface: then single precision serves. What lies nearer decides in double precision.
 bool isFarFrom(const RayAnchor& start, double squaredDistance);
 
+/// The squared distance, m2, from which on it is.
+double squaredNearness(const RayAnchor& start);
+
 /// Whether a surface faces the sensor at p with unit normal n so near that all its rays must be traced alone: the point
 /// lifted off its own surface might lie beyond the other.
 bool isInGap(const Scene& scene, const Vec3& p, const Vec3& n);
