@@ -121,8 +121,10 @@ TEST_P(Savings, ChangeTheWork)
       EXPECT_NEAR(with.illuminance[r], without.illuminance[r], 1e-5 * with.illuminance[r]);
   else
     EXPECT_NE(with.illuminance, without.illuminance) << "other random numbers or weights";
-  const bool ofRays = name != "stratified" && name != "neighbours";  // more rays, of which each finds more
-  EXPECT_EQ(without.rays > with.rays, ofRays) << without.rays << " against " << with.rays;
+  if (name == "stratified")  // as many, but for roulette
+    EXPECT_NEAR(static_cast<double>(without.rays), static_cast<double>(with.rays), 0.05 * with.rays);
+  else  // neighbours have more rays, of which each finds more
+    EXPECT_EQ(without.rays > with.rays, name != "neighbours") << without.rays << " against " << with.rays;
   EXPECT_EQ(with.direct != without.direct,
             name != "picked" && name != "convex" && name != "near" && name != "neighbours");
 }

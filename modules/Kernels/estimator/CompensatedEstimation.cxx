@@ -10,7 +10,7 @@ CompensatedEstimation::CompensatedEstimation(const Scene& scene, const Receivers
       Wanted(settings),
       Source(scene),
       Direct(scene, receivers, settings),
-      Light(scene, this->Source, settings, this->Direct.shadows()),
+      Light(scene, this->Source, settings, this->Direct.shadows(), receivers.points.size()),
       EdgeDistances(receivers.edgeDistances)
 {
 }

@@ -24,7 +24,9 @@ struct Round
 class CompensatedLight
 {
 public:
-  CompensatedLight(const Scene& scene, const Emission& emission, const Settings& settings, bool shadows);
+  /// `receivers`: how many a trajectory serves, in the whole solve.
+  CompensatedLight(const Scene& scene, const Emission& emission, const Settings& settings, bool shadows,
+                   std::size_t receivers);
 
   const Gathering& gathering() const { return this->Rays; }
 
@@ -76,6 +78,7 @@ private:
   const Emission& Source;
   Settings Wanted;
   bool Shadows;
+  std::size_t Served;
   Gathering Rays;
   double Clearance;                 // m; sensors that are clear at this distance need no gather rays
   std::vector<char> Gathers;        // per sensor

@@ -42,7 +42,7 @@ class Trial
 {
 public:
   Trial(const Scene& scene, const Emission& emission, const Settings& settings, const DirectPart& direct)
-      : Lit(scene), Direct(direct), Light(scene, emission, settings, direct.shadows())
+      : Lit(scene), Direct(direct), Light(scene, emission, settings, direct.shadows(), direct.sensors().size())
   {
     const std::size_t all = direct.sensors().size(), some = std::min(all, mostReceivers);
     for (std::size_t i = 0; i < some; ++i)
