@@ -230,6 +230,7 @@ TEST(Gathered, AgreesWithCompensatedInAFurnishedRoom)
   EXPECT_LT(std::abs(a / b - 1), 0.004);
   EXPECT_LT(errors[0], errors[1]);
   EXPECT_NE(choice(gathered, "cells"), "");
+  EXPECT_EQ(choice(gathered, "neighbours"), "groups of 16");
   EXPECT_LT(std::abs(std::stod(choice(gathered, "bias"))), 1.5);  // per cent: its error is about 0.3
 }
 

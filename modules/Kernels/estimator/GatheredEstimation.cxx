@@ -27,6 +27,7 @@ float cellShare(int rays, std::size_t receivers)
   const float hits = static_cast<float>(rays) * static_cast<float>(receivers);
   return std::clamp(std::min(enoughRays / static_cast<float>(rays), enoughHits / std::sqrt(hits)), finest, widest);
 }
+
 // Light that leaves a diffuse surface is the same for all who see it.
 bool isMostlyDiffuse(const Scene& scene)
 {
@@ -199,6 +200,17 @@ void GatheredEstimation::persist(Archive& archive)
   archive.array(this->Checks);
 }
 
+AuditLine GatheredEstimation::auditNeighbours() const
+{
+  if (this->sharesRays())
+    return {"neighbours", "groups of " + std::to_string(ReceiverGroup::capacity),
+            "what a gather ray of one finds lights the others too, by a shadow ray each"};
+  return {"neighbours", "each by itself",
+          this->Wanted.ownRays ? "as was asked for"
+          : this->Rays.alone() ? "luminous surfaces are all around, and own rays are the better ones"
+                               : "most surfaces are glossy, and their light is another for everyone"};
+}
+
 std::vector<AuditLine> GatheredEstimation::audit() const
 {
   std::vector<AuditLine> lines = this->Direct.audit();
@@ -225,6 +237,7 @@ std::vector<AuditLine> GatheredEstimation::audit() const
   lines.push_back({"kernel", "gathered", "fast, with a bias that falls with the width of its cells"});
   if (this->Rays.alone())
     lines.push_back(auditPaths());
+  lines.push_back(this->auditNeighbours());
   lines.push_back({"cells", cells.str(), share.str()});
   lines.push_back({"bias", amount.str(), "of the gathered light, measured by rays that share no estimate"});
   return lines;

@@ -9,9 +9,9 @@
 // (GatherWave::indirectLight). Near an edge cells are as small as the distance asks; where a cell has one hit, nothing
 // is shared. Where a ray ends on gloss or a mirror, the unbiased gather ray of `compensated` takes its place.
 //
-// Bias: none in the mean over the receivers that share a cell; between them, light is spread over the cell. It is
-// second order in the cell's width over its distance. One shared hit in `checkEvery` is estimated at its own place too;
-// audit() states the mean of the difference with its standard error. Each replicate has cells of its own, so that
+// Bias: next to none in the mean over the receivers that share a cell; between them, light is spread over the cell. It
+// is second order in the cell's width over its distance. One shared hit in `checkEvery` is estimated at its own place
+// too; audit() states the mean of the difference with its standard error. Each replicate has cells of its own, so that
 // standard errors include everything. Source: radiosity with final gathering (Lischinski, Tampieri and Greenberg 1993),
 // its radiosity estimated on demand and without bias.
 #ifndef kalos_estimator_GatheredEstimation_h
@@ -82,6 +82,7 @@ private:
   // white furnace own rays took a thirtieth of the time to the same error), nor among gloss. And how many do together.
   bool sharesRays() const;
   int groupSize() const;
+  AuditLine auditNeighbours() const;
   // Gather rays of each receiver of a group, when those of a whole group have so many: where fewer are active, they
   // have its rays.
   int raysOfEach(const ReceiverGroup& group, int rays) const;
