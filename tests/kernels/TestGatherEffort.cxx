@@ -91,8 +91,8 @@ TEST(GatherEffort, SameValuesWithFewerRays)
   }
 }
 
-// Trajectories are shared by all receivers: where these are few, each has more gather rays for each of them, by the root
-// of (1 + 128 / 14) / (1 + 128 / 448), 2.8, as a power of two.
+// Trajectories are shared by all receivers: where these are few, each has more gather rays for each of them, by the
+// root of (1 + 128 / 14) / (1 + 128 / 448), 2.8, as a power of two.
 TEST(GatherEffort, FewReceiversHaveMoreRaysPerTrajectory)
 {
   const Scene scene(rooms::furnishedRoom(0.5));
