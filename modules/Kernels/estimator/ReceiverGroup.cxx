@@ -76,9 +76,8 @@ std::uint64_t spread(std::uint64_t x)
 
 std::uint64_t axisOf(const Vec3& n)
 {
-  const double largest = maxAbs(n);
-  const std::uint64_t axis = std::abs(n.x) == largest ? 0 : std::abs(n.y) == largest ? 1 : 2;
-  return 2 * axis + ((axis == 0 ? n.x : axis == 1 ? n.y : n.z) < 0 ? 1 : 0);
+  const int axis = mainAxis(n);
+  return 2 * static_cast<std::uint64_t>(axis) + ((axis == 0 ? n.x : axis == 1 ? n.y : n.z) < 0 ? 1 : 0);
 }
 }  // namespace
 

@@ -13,13 +13,12 @@ std::vector<Face> facesOf(const Scene& scene)
   for (std::uint32_t t = 0; t < faces.size(); ++t)
   {
     const Vec3& n = scene.normal(t);
-    const double largest = maxAbs(n);
     Face& face = faces[t];
     face.normal[0] = static_cast<float>(n.x);
     face.normal[1] = static_cast<float>(n.y);
     face.normal[2] = static_cast<float>(n.z);
     face.plane = static_cast<float>(dot(n, scene.corner(t, 0)));
-    face.across = std::abs(n.x) == largest ? 0 : std::abs(n.y) == largest ? 1 : 2;
+    face.across = static_cast<std::uint32_t>(mainAxis(n));
     auto quarter = [](double x) { return static_cast<std::uint32_t>(std::floor(4 * x + 4.5)); };
     face.key = quarter(n.x) << 8 | quarter(n.y) << 4 | quarter(n.z);
   }

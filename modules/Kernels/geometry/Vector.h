@@ -60,6 +60,12 @@ inline double maxAbs(const Vec3& a)
 {
   return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
 }
+/// 0, 1 or 2: the axis that a vector is nearest to.
+inline int mainAxis(const Vec3& a)
+{
+  const double largest = maxAbs(a);
+  return std::abs(a.x) == largest ? 0 : std::abs(a.y) == largest ? 1 : 2;
+}
 inline bool isFinite(const Vec3& a)
 {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
