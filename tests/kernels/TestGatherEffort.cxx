@@ -18,10 +18,12 @@ void add(Receivers& r, const Vec3& p, const Vec3& n)
   r.normals.push_back(n);
 }
 
-/// Eight receivers near an edge, a corner, a contact or a wall in free space, then six far from all.
-Receivers nearAndFar()
+/// Eight receivers near an edge, a corner, a contact or a wall in free space, then six far from all; so many times.
+Receivers nearAndFar(int times = 1)
 {
   Receivers r;
+  if (times > 1)
+    r = nearAndFar(times - 1);
   for (double h : {1e-3, 0.1})
   {
     add(r, {h, 2.5, 0}, {0, 0, 1});
@@ -46,17 +48,18 @@ std::string gatheringReceivers(const Result& result)
   return {};
 }
 
-Settings settings(bool everywhere, std::uint64_t seed)
+Settings settings(bool everywhere, std::uint64_t seed, long long trajectories = 65536)
 {
   Settings s;
   s.alwaysVertices = true;  // in furnaces, too
-  s.trajectories = 65536;
+  s.trajectories = trajectories;
   s.gatherEverywhere = everywhere;
   s.seed = seed;
   return s;
 }
 }  // namespace
 
+// Rays are shared out as for many receivers: 448, the same fourteen again and again, of which the first are looked at.
 // Independent runs of six seeds each: Welch's t of 84 degrees of freedom, Sidak for 28 comparisons: |t| < 4.3, false
 // alarm 1e-3.
 TEST(GatherEffort, SameValuesWithFewerRays)
@@ -65,14 +68,16 @@ TEST(GatherEffort, SameValuesWithFewerRays)
   for (double rho : {0.3, 0.8})
   {
     const Scene scene(rooms::furnishedRoom(rho));
-    const Receivers r = nearAndFar();
-    std::vector<double> difference(r.points.size()), sparing(r.points.size()), all(r.points.size());  // of the means
+    const Receivers r = nearAndFar(32);
+    constexpr std::size_t count = 14;
+    std::vector<double> difference(count), sparing(count), all(count);  // of the means
     for (std::uint64_t seed = 1; seed <= seeds; ++seed)
     {
-      const Result few = solve(scene, r, settings(false, seed)), many = solve(scene, r, settings(true, 100 + seed));
-      EXPECT_EQ(gatheringReceivers(few), "at 8 of 14 receivers");
-      EXPECT_EQ(gatheringReceivers(many), "at 14 of 14 receivers");
-      for (std::size_t i = 0; i < r.points.size(); ++i)
+      const Result few = solve(scene, r, settings(false, seed, 8192)),
+                   many = solve(scene, r, settings(true, 100 + seed, 8192));
+      EXPECT_EQ(gatheringReceivers(few), "at 256 of 448 receivers");
+      EXPECT_EQ(gatheringReceivers(many), "at 448 of 448 receivers");
+      for (std::size_t i = 0; i < count; ++i)
       {
         difference[i] += (few.illuminance[i] - many.illuminance[i]) / (seeds * many.illuminance[i]);
         sparing[i] += std::pow(few.standardError[i] / (seeds * many.illuminance[i]), 2);
@@ -80,13 +85,12 @@ TEST(GatherEffort, SameValuesWithFewerRays)
         EXPECT_TRUE(few.trusted[i]);
       }
     }
-    for (std::size_t i = 0; i < r.points.size(); ++i)
+    for (std::size_t i = 0; i < count; ++i)
     {
       EXPECT_LT(std::abs(difference[i]), 4.3 * std::sqrt(sparing[i] + all[i])) << rho << " point " << i;
       EXPECT_LT(std::sqrt(sparing[i] + all[i]), 0.02) << rho << " point " << i;
-      // So few receivers have a gather ray for every dozen of trajectories, and those that have none a larger error
-      // for it. Errors of 42 degrees of freedom are good to 11 %.
-      EXPECT_LT(std::sqrt(sparing[i]), 2.5 * std::sqrt(all[i])) << rho << " point " << i;
+      // Errors of 42 degrees of freedom are good to 11 %.
+      EXPECT_LT(std::sqrt(sparing[i]), 1.5 * std::sqrt(all[i])) << rho << " point " << i;
     }
   }
 }
@@ -96,17 +100,24 @@ TEST(GatherEffort, SameValuesWithFewerRays)
 TEST(GatherEffort, FewReceiversHaveMoreRaysPerTrajectory)
 {
   const Scene scene(rooms::furnishedRoom(0.5));
-  const Receivers few = nearAndFar();
-  Receivers many;
-  for (int copy = 0; copy < 32; ++copy)
-    for (std::size_t i = 0; i < few.points.size(); ++i)
-      add(many, few.points[i], few.normals[i]);
-  Settings s = settings(false, 1);
-  s.trajectories = 8 * 256;
+  const Receivers few = nearAndFar(), many = nearAndFar(32);
+  const Settings s = settings(false, 1, 8 * 256);
   const double rays = solve(scene, few, s).gatherRays[0], ofMany = solve(scene, many, s).gatherRays[0];
   EXPECT_GT(ofMany, 0);
   EXPECT_GE(rays, 2 * ofMany);
   EXPECT_LE(rays, 4 * ofMany);
+}
+
+// An image may see no surface: then no receiver is served.
+TEST(GatherEffort, NoReceiverNeedsNoRays)
+{
+  const Result none = solve(Scene(rooms::furnishedRoom(0.5)), {}, settings(false, 1, 64));
+  EXPECT_EQ(none.trajectories, 64);
+  EXPECT_TRUE(none.illuminance.empty());
+  EXPECT_EQ(gatheringReceivers(none), "at 0 of 0 receivers");
+  EXPECT_TRUE(std::any_of(none.audit.begin(), none.audit.end(), [](const AuditLine& line) {
+    return line.reason.find("; 0 rays, 0 spared elsewhere") != std::string::npos;
+  }));
 }
 
 // In the white furnace the far receivers must have the closed form too: six at each reflectance.

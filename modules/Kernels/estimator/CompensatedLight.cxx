@@ -76,7 +76,7 @@ bool CompensatedLight::prepare(const std::vector<Sensor>& sensors, Workers& work
 
 double CompensatedLight::rayShare() const
 {
-  const double cost = 1 + receiversPerTrace / static_cast<double>(this->Served);
+  const double cost = 1 + receiversPerTrace / static_cast<double>(std::max<std::size_t>(1, this->Served));
   return raysPerRoot * std::sqrt(cost * (this->Rays.pilot().collisions() + this->Rays.pilot().starts()));
 }
 

@@ -78,7 +78,7 @@ private:
   const Emission& Source;
   Settings Wanted;
   bool Shadows;
-  std::size_t Served;
+  std::size_t Served;  // receivers of the whole solve; none where an image sees no surface
   Gathering Rays;
   double Clearance;                 // m; sensors that are clear at this distance need no gather rays
   std::vector<char> Gathers;        // per sensor
