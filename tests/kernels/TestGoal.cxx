@@ -132,7 +132,7 @@ TEST(EffortPlan, RestingReceiversKeepTheirEstimates)
   EXPECT_NEAR(tally.summary(1, 10).mean, 0.001, 1e-9);
 }
 
-// 60 receivers, some beside a box and some in the open, to 1 %: the same values with less work, each within 7.9
+// 60 receivers, some beside a box and some in the open, to 1 %: the same values with less work, each within 10.4
 // standard errors (7 degrees of freedom: false alarm 6e-3 over all).
 TEST(EffortPlan, SavesWorkAndMovesNoValue)
 {
@@ -148,17 +148,25 @@ TEST(EffortPlan, SavesWorkAndMovesNoValue)
     Settings s;
     s.method = method;
     s.relativeError = 0.01;
-    const Result planned = solve(scene, receivers, s);
-    s.evenEffort = true;
-    s.seed = 2;
-    const Result even = solve(scene, receivers, s);
-    EXPECT_LT(planned.rays, 0.8 * even.rays);
-    for (std::size_t i = 0; i < receivers.points.size(); ++i)
+    double plannedRays = 0, evenRays = 0;  // when the goal is reached is a matter of chance: three seeds of each
+    for (std::uint64_t seed = 1; seed <= 6; seed += 2)
     {
-      const double error = std::hypot(planned.standardError[i], even.standardError[i]);
-      EXPECT_NEAR(planned.illuminance[i], even.illuminance[i], 7.9 * error + 0.002 * even.illuminance[i]) << i;
-      EXPECT_NE(planned.goal[i], missed);
+      s.evenEffort = false;
+      s.seed = seed;
+      const Result planned = solve(scene, receivers, s);
+      s.evenEffort = true;
+      s.seed = seed + 1;
+      const Result even = solve(scene, receivers, s);
+      plannedRays += planned.rays;
+      evenRays += even.rays;
+      for (std::size_t i = 0; i < receivers.points.size(); ++i)
+      {
+        const double error = std::hypot(planned.standardError[i], even.standardError[i]);
+        EXPECT_NEAR(planned.illuminance[i], even.illuminance[i], 10.4 * error + 0.002 * even.illuminance[i]) << i;
+        EXPECT_NE(planned.goal[i], missed);
+      }
     }
+    EXPECT_LT(plannedRays, 0.8 * evenRays);
   }
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What makes a solve cheaper without moving its mean, each with a name by which it can be switched off:
-//   stratified     walks stratified by Sobol' points (sampling/SampleStream.h); without: independent numbers
+//   stratified     walks stratified by Sobol' points (sampling/SampleStream.h), and vertices over space
+//                  (estimator/VertexOrder.h); without: independent numbers
 //   picked         shadow rays to vertices picked by their unshadowed scores; without: one to every pair that scores
 //   convex         no shadow rays where the audit shows that nothing can occlude
 //   near           gather rays only at receivers with a surface near in front
 //   paths          no vertices where paths from the receivers alone win a trial (estimator/PathTrial.h)
+//   neighbours     gather rays shared by receivers beside each other (estimator/ReceiverGroup.h)
 //   effort         receivers that have enough for the goal rest (estimator/EffortPlan.h)
 //   exact-direct   area emitters by Lambert's polygon formula, only what hides them sampled; without: all sampled, and
 //                  emitting meshes by the starts of trajectories

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/VertexRound.h"
 
+#include "estimator/VertexOrder.h"
+
 namespace kalos
 {
 std::vector<VertexPool> traceRound(const Scene& scene, const Emission& emission, const Walks& walks, int replicates,
@@ -22,6 +24,9 @@ std::vector<VertexPool> traceRound(const Scene& scene, const Emission& emission,
   const bool joined = workers.forEachReplicate(replicates, 1, [&](int p, std::size_t) {
     for (int c = 0; c < chunksEach; ++c)
       pools[p].append(chunks[p * chunksEach + c]);
+    if (walks.sampling != Sampling::Independent)
+      for (VertexSet* set : {&pools[p].reflected, &pools[p].glossy, &pools[p].emitted})
+        spreadOverLanes(*set);
   });
   return joined ? std::move(pools) : std::vector<VertexPool>();
 }

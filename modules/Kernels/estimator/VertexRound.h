@@ -9,7 +9,7 @@
 namespace kalos
 {
 /// Traces trajectories [first, first + count) of every replicate that this rank owns; the pools of the others stay
-/// empty. No pools when aborted.
+/// empty. No pools when aborted. Where walks are stratified, so are the vertices of each tile (VertexOrder.h).
 std::vector<VertexPool> traceRound(const Scene& scene, const Emission& emission, const Walks& walks, int replicates,
                                    long long first, int count, Workers& workers);
 
