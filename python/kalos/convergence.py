@@ -75,7 +75,7 @@ class TimeTo:
     """The time to an error; None where it is out of reach, with how it was found."""
 
     seconds: float
-    how: str  # "interpolated", "extrapolated", "at most" (the least effort is better already), "out of reach"
+    how: str  # "interpolated", "extrapolated", "at most" (the least effort is that good already), "out of reach"
 
 
 def time_to(goal, seconds, found):
@@ -85,8 +85,8 @@ def time_to(goal, seconds, found):
     """
     t, e = np.log(seconds), np.log(found)
     above = np.flatnonzero(e > np.log(goal))
-    if len(above) == 0:
-        return TimeTo(float(np.exp(t[0])), "at most")
+    if len(above) == 0:  # the cheapest: a first run can take longer than one of more effort
+        return TimeTo(float(np.exp(t.min())), "at most")
     last = above[-1]
     if last + 1 < len(e):
         share = (e[last] - np.log(goal)) / (e[last] - e[last + 1])

@@ -79,6 +79,11 @@ def test_time_on_the_square_root_law():
     assert before.seconds == 1 and before.how == "at most"
 
 
+def test_a_slow_first_run_is_no_fault():
+    found = time_to(0.05, [3, 2, 4], [0.04, 0.03, 0.02])
+    assert found.seconds == pytest.approx(2) and found.how == "at most"
+
+
 def test_a_lucky_step_is_no_merit():
     assert time_to(0.02, [1, 2, 4, 8], [0.05, 0.015, 0.03, 0.02 / 1.5]).seconds > 4
 
