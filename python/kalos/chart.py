@@ -33,6 +33,7 @@ CLOSED_FORMS = [*CASES, replace(CASES[0], scene="chart/edge-furnace.json"),
 GOALS = (0.05, 0.02, 0.01, 0.005, 0.003)
 SEEDS, FEWER_SEEDS, MANY = 4, 2, 20000  # runs a step at least, and where there are MANY values to tell an error from
 MOST_SEEDS, SHARE = 32, 1 / 32  # more where all of a step take less than a share of the budget: errors of few values are uneven
+FLAT = 1.25  # times the step before: a step that took no longer cost what any step costs, and the next one is twice as long
 COLUMNS = ("contender", "effort", "seeds", "cpu_seconds", "rays", "rms_of_value", "p95_of_value", "max_of_value", "rms_of_mean",
            "p95_of_mean", "max_of_mean", "mean_off", "mean_off_error")
 
@@ -109,7 +110,7 @@ def climb(contender, truth, budget, seed):
               file=sys.stderr, flush=True)
         if spent + 2 * sum(seconds) > budget:
             break
-        effort *= 2
+        effort *= 4 if len(rows) > 1 and row["cpu_seconds"] < FLAT * rows[-2]["cpu_seconds"] else 2
     weights = [run.effort for run in every]
     found = bias([run.values for run in every], weights, truth)
     if all(stated):

@@ -81,7 +81,8 @@ class TimeTo:
 def time_to(goal, seconds, found):
     """From times and errors of a ladder of efforts, by straight lines on the log-log curve.
 
-    The last crossing counts: an error that is low by chance at little effort is no merit.
+    The last crossing counts: an error that is low by chance at little effort is no merit. Beyond the longest run errors fall
+    as the root of time at most: the last steps fall faster where time is mostly what any run takes.
     """
     t, e = np.log(seconds), np.log(found)
     above = np.flatnonzero(e > np.log(goal))
@@ -92,7 +93,7 @@ def time_to(goal, seconds, found):
         share = (e[last] - np.log(goal)) / (e[last] - e[last + 1])
         return TimeTo(float(np.exp(t[last] + share * (t[last + 1] - t[last]))), "interpolated")
     tail = slice(-3, None)
-    slope = np.polyfit(t[tail], e[tail], 1)[0] if len(e) > 1 else 0.0
+    slope = max(np.polyfit(t[tail], e[tail], 1)[0], -0.5) if len(e) > 1 else 0.0
     factor = (np.log(goal) - e[-1]) / slope if slope < 0 else np.inf
     if factor > np.log(FARTHEST):
         return TimeTo(None, "out of reach")

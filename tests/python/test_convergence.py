@@ -84,6 +84,10 @@ def test_a_slow_first_run_is_no_fault():
     assert found.seconds == pytest.approx(2) and found.how == "at most"
 
 
+def test_beyond_the_longest_run_the_root_of_time_is_the_best():
+    assert time_to(0.01, [4.0, 4.2, 4.4], [0.08, 0.04, 0.02]).seconds == pytest.approx(4 * 4.4)
+
+
 def test_a_lucky_step_is_no_merit():
     assert time_to(0.02, [1, 2, 4, 8], [0.05, 0.015, 0.03, 0.02 / 1.5]).seconds > 4
 
