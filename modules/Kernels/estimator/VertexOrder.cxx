@@ -58,18 +58,6 @@ void divide(const VertexSet& set, int count, int first, int last, std::size_t* b
   divide(set, count, first, middle, begin);
   divide(set, count, middle, last, split);
 }
-
-template <class T>
-void reorder(const std::vector<std::size_t>& order, std::vector<T>& values)
-{
-  if (values.empty())  // what only glossy vertices have
-    return;
-  std::vector<T> reordered;
-  reordered.reserve(values.size());
-  for (const std::size_t i : order)
-    reordered.push_back(values[i]);
-  values.swap(reordered);
-}
 }  // namespace
 
 void spreadOverLanes(VertexSet& set)
@@ -86,12 +74,6 @@ void spreadOverLanes(VertexSet& set)
       for (int i = lane; i < count; i += lanes)
         order[begin + i] = *next++;
   }
-  for (std::vector<float>* values :
-       {&set.px, &set.py, &set.pz, &set.nx, &set.ny, &set.nz, &set.offset, &set.inverseDensity, &set.luminous})
-    reorder(order, *values);
-  for (std::vector<float>& band : set.flux)
-    reorder(order, band);
-  reorder(order, set.brdf);
-  reorder(order, set.incident);
+  set.reorder(order);
 }
 }  // namespace kalos

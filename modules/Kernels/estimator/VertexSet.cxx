@@ -7,6 +7,28 @@
 
 namespace kalos
 {
+namespace
+{
+// Each array of a set, beside the same array of the others.
+template <class Change, class... Set>
+void changeArrays(const Change& change, VertexSet& v, const Set&... others)
+{
+  change(v.px, others.px...);
+  change(v.py, others.py...);
+  change(v.pz, others.pz...);
+  change(v.nx, others.nx...);
+  change(v.ny, others.ny...);
+  change(v.nz, others.nz...);
+  change(v.offset, others.offset...);
+  change(v.inverseDensity, others.inverseDensity...);
+  change(v.luminous, others.luminous...);
+  for (std::size_t b = 0; b < v.flux.size(); ++b)
+    change(v.flux[b], others.flux[b]...);
+  change(v.brdf, others.brdf...);
+  change(v.incident, others.incident...);
+}
+}  // namespace
+
 void VertexSet::add(const Scene& scene, const Vec3& p, const Vec3& n, const Bands& m, double inverse)
 {
   this->px.push_back(static_cast<float>(p.x));
@@ -41,19 +63,16 @@ long long VertexSet::key(std::size_t i) const
 
 void VertexSet::append(const VertexSet& other)
 {
-  auto join = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-  join(this->px, other.px);
-  join(this->py, other.py);
-  join(this->pz, other.pz);
-  join(this->nx, other.nx);
-  join(this->ny, other.ny);
-  join(this->nz, other.nz);
-  join(this->offset, other.offset);
-  join(this->inverseDensity, other.inverseDensity);
-  join(this->luminous, other.luminous);
-  for (std::size_t b = 0; b < this->flux.size(); ++b)
-    join(this->flux[b], other.flux[b]);
-  join(this->brdf, other.brdf);
-  join(this->incident, other.incident);
+  changeArrays([](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); }, *this, other);
+}
+
+void VertexSet::reorder(const std::vector<std::size_t>& order)
+{
+  auto reorderArray = [&](auto& values) {
+    const auto before = values;
+    for (std::size_t i = 0; i < values.size(); ++i)  // none of what only glossy vertices have
+      values[i] = before[order[i]];
+  };
+  changeArrays(reorderArray, *this);
 }
 }  // namespace kalos

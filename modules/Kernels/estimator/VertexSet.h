@@ -40,6 +40,7 @@ struct VertexSet
   void addGlossy(const Scene& scene, const SurfacePoint& point, const Vec3& towardsLight, const Bands& incidentFlux,
                  double inverse = -1);
   void append(const VertexSet& other);
+  void reorder(const std::vector<std::size_t>& order);  ///< vertex i becomes the one that was at order[i]
 };
 }  // namespace kalos
 
