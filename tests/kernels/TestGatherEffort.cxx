@@ -90,8 +90,9 @@ TEST(GatherEffort, SameValuesWithFewerRays)
     {
       EXPECT_LT(std::abs(difference[i]), 4.3 * std::sqrt(sparing[i] + all[i])) << rho << " point " << i;
       EXPECT_LT(std::sqrt(sparing[i] + all[i]), 0.02) << rho << " point " << i;
-      // Errors of 42 degrees of freedom are good to 11 %.
-      EXPECT_LT(std::sqrt(sparing[i]), 1.5 * std::sqrt(all[i])) << rho << " point " << i;
+      // Errors of 42 degrees of freedom are good to 11 %; where nothing is near, rays would take a third off the error
+      // in the dim room, for more than they save.
+      EXPECT_LT(std::sqrt(sparing[i]), 2 * std::sqrt(all[i])) << rho << " point " << i;
     }
   }
   // Of 168; one of 504 was, with other seeds.

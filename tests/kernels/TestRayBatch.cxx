@@ -76,7 +76,7 @@ TEST(RayBatch, ShadowsAreThoseOfSingleRays)
   EXPECT_LT(different, static_cast<int>(rays.size()) / 1000) << "of " << rays.size() << ", at edges";
 }
 
-// What lies nearer than five hundred times what a start is lifted is found in double precision, to the last bit.
+// What lies nearer than 250 times what a start is lifted is found in double precision, to the last bit.
 TEST(RayBatch, NearSurfacesAreMetAsAlone)
 {
   SceneDescription d = rooms::furnishedRoom(0.6);

@@ -87,7 +87,8 @@ TEST(VertexOrder, VerticesKeepWhatIsTheirsAndStayInTheirTile)
     seen[was] = 1;
     EXPECT_EQ(i / VertexTile::capacity, was / VertexTile::capacity);
     EXPECT_EQ(length(v.position(i) - before.position(was)), 0);
-    for (const float value : {v.nx[i], v.ny[i], v.nz[i], v.lift[i], v.slope[i], v.inverseDensity[i], v.flux[0][i], v.flux[1][i]})
+    for (const float value :
+         {v.nx[i], v.ny[i], v.nz[i], v.lift[i], v.slope[i], v.inverseDensity[i], v.flux[0][i], v.flux[1][i]})
       EXPECT_EQ(value, number);
     EXPECT_EQ(v.brdf[i], before.brdf[was]);
     EXPECT_EQ(v.incident[i].x, number);

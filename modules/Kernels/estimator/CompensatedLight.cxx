@@ -64,13 +64,9 @@ bool CompensatedLight::prepare(const std::vector<Sensor>& sensors, Workers& work
 {
   this->Gathers.resize(sensors.size());
   this->RaysDone.assign(sensors.size(), 0);
-  this->InGap.assign(sensors.size(), 0);
   return workers.forEach(tileCount(sensors.size()), [&](std::size_t tile) {
     for (std::size_t r = tile * tileSize; r < std::min(sensors.size(), (tile + 1) * tileSize); ++r)
-    {
       this->Gathers[r] = this->needsRays(sensors[r]);
-      this->InGap[r] = this->Gathers[r] && isInGap(this->Lit, sensors[r].anchor);
-    }
   });
 }
 
@@ -158,7 +154,7 @@ void CompensatedLight::sendRays(const Sensor& sensor, std::size_t r, int replica
 {
   const int rays = this->rays(r, round);  // none where vertices score everything
   const Walks walks = this->Wanted.walks().ofReceiver(r);
-  const GatherWave::Start start{this->balance(r, round), !exactMeshes, this->InGap[r] != 0};
+  const GatherWave::Start start{this->balance(r, round), !exactMeshes, sensor.doublePrecision};
   for (long long k = this->RaysDone[r]; k < this->RaysDone[r] + rays; ++k)
     gathered.gather(r, rays, sensor, start, walks.stream(replicate, Purpose::Gather, k));
 }

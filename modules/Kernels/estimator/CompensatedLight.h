@@ -82,7 +82,6 @@ private:
   Gathering Rays;
   double Clearance;                 // m; sensors that are clear at this distance need no gather rays
   std::vector<char> Gathers;        // per sensor
-  std::vector<char> InGap;          // per sensor: see isInGap()
   std::vector<long long> RaysDone;  // of a replicate in earlier rounds, per sensor
   long long TrajectoriesDone = 0;   // of a replicate
 };

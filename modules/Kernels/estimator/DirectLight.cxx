@@ -31,13 +31,12 @@ DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows)
   {
     const Bands& exitance = scene.material(t).exitance;
     if (photometric(exitance, scene.bands()) > 0)
-      this->Areas.push_back(
-          {{scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2), {}},
-           3,
-           scene.normal(t),
-           exitance,
-           nullptr,
-           scene.anchor(t, scene.corner(t, 0), scene.normal(t))});
+      this->Areas.push_back({{scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2), {}},
+                             3,
+                             scene.normal(t),
+                             exitance,
+                             nullptr,
+                             scene.anchor(t, scene.corner(t, 0), scene.normal(t))});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "estimator/VertexRound.h"
+#include "scene/RayBatch.h"
 
 namespace kalos
 {
@@ -63,6 +64,12 @@ DirectPart::DirectPart(const Scene& scene, const Receivers& receivers, const Set
 
 bool DirectPart::prepare(Workers& workers, Tally& tally)
 {
+  const bool looked = workers.forEach(tileCount(this->Sensors.size()), [&](std::size_t tile) {
+    for (std::size_t r = tile * tileSize; r < std::min(this->Sensors.size(), (tile + 1) * tileSize); ++r)
+      this->Sensors[r].doublePrecision = isInGap(this->Lit, this->Sensors[r].anchor);
+  });
+  if (!looked)
+    return false;
   this->Views.resize(this->Sensors.size());
   return workers.forEach(tileCount(this->Sensors.size()), [&](std::size_t tile) {
     const std::size_t end = std::min(this->Sensors.size(), (tile + 1) * tileSize);

@@ -76,10 +76,11 @@ std::vector<AuditLine> EnergyBalance::audit() const
     if (all.lastSeen(s) > all.lastSeen(worst))
       worst = s;
     if (all.unseen(s) >= fewestUnseen && all.unseen(s) > leastUnseen * all.checked(s))
-      warn(this->Lit.surfaceName(s) + " does not deliver all of its light",
-           percent(all.unseen(s) / all.checked(s)) + " of " + std::to_string(std::llround(all.checked(s))) +
-               " vertices checked there do not see what their own trajectory went on to hit; expected none: values that "
-               "it lights are too low");
+      warn(
+          this->Lit.surfaceName(s) + " does not deliver all of its light",
+          percent(all.unseen(s) / all.checked(s)) + " of " + std::to_string(std::llround(all.checked(s))) +
+              " vertices checked there do not see what their own trajectory went on to hit; expected none: values that "
+              "it lights are too low");
     if (all.starts(s) < enoughStarts)
       continue;
     if (all.lost(s) == all.starts(s))

@@ -128,7 +128,7 @@ bool GatherWave::advance(std::size_t i, const SurfacePoint& y)
   const bool whole = look.mirror || std::isinf(chain.share);                      // no vertex scores there
   const double kernel = look.density * -dot(look.direction, y.normal) / squared;  // G, for a Lambertian sensor
   const double ratio =
-      whole ? std::numeric_limits<double>::infinity() : kernel * chain.share / this->Rays.pilot().density(y.position, y.normal);
+      whole ? std::numeric_limits<double>::infinity() : kernel * chain.share / this->Rays.pilot().density(y.position);
   this->addEmission(i, y, kernel, whole);
 
   // Become the sensor there: its illuminance, or its response towards here.

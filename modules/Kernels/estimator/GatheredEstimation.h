@@ -96,6 +96,9 @@ private:
   void look(std::size_t tile, int replicate, const Replicate& round, int rays, Looks& looks, Tally& tally) const;
   void see(Sight& sight, const ReceiverGroup& group, int replicate, int each, const Replicate& round, Looks& looks,
            ReceiverRays& unshared) const;
+  // Where ray i of a packet has ended, and how far that is; false: nowhere.
+  bool meet(const Sensor& sensor, const SegmentPacket& packet, const HitPacket& found, int i, SurfaceHit& hit,
+            float& distance) const;
   std::uint64_t seedOfCells(int replicate) const;
   // The receivers of a tile in groups, those that do not rest.
   std::vector<ReceiverGroup> groups(std::size_t tile, const Tally& tally) const;

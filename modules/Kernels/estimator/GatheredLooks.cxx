@@ -106,6 +106,36 @@ void GatheredEstimation::look(std::size_t tile, int replicate, const Replicate& 
   unshared.finish();
 }
 
+bool GatheredEstimation::meet(const Sensor& sensor, const SegmentPacket& packet, const HitPacket& found, int i,
+                              SurfaceHit& hit, float& distance) const
+{
+  const float d[3] = {packet.dx[i], packet.dy[i], packet.dz[i]};
+  distance = found.distance[i];
+  hit.near = false;
+  if (found.triangle[i] == HitPacket::noTriangle || !isFarFrom(sensor.anchor, static_cast<double>(distance * distance)))
+  {
+    // A ray that meets nothing may have slipped between two triangles.
+    const SurfacePoint y = this->Lit.trace(sensor.anchor, {d[0], d[1], d[2]});
+    if (!y.valid)
+      return false;
+    const Vec3 along = y.position - sensor.position;
+    distance = static_cast<float>(length(along));
+    hit.near = !isFarFrom(sensor.anchor, dot(along, along));
+    hit.side = 2 * y.triangle + (y.front ? 1 : 0);
+    const Vec3& p = y.position;
+    for (const auto& [k, x] : {std::pair{0, p.x}, {1, p.y}, {2, p.z}})
+      hit.position[k] = static_cast<float>(x);
+    return true;
+  }
+  const Face& face = this->Faces[found.triangle[i]];
+  const bool front = face.normal[0] * d[0] + face.normal[1] * d[1] + face.normal[2] * d[2] < 0;
+  hit.side = 2 * found.triangle[i] + (front ? 1 : 0);
+  hit.position[0] = packet.ox[i] + distance * d[0];
+  hit.position[1] = packet.oy[i] + distance * d[1];
+  hit.position[2] = packet.oz[i] + distance * d[2];
+  return true;
+}
+
 void GatheredEstimation::see(Sight& sight, const ReceiverGroup& group, int replicate, int each, const Replicate& round,
                              Looks& looks, ReceiverRays& unshared) const
 {
@@ -116,26 +146,21 @@ void GatheredEstimation::see(Sight& sight, const ReceiverGroup& group, int repli
   this->Lit.rays().intersect(packet, sight.count, found);
   for (int i = 0; i < sight.count; ++i)
   {
-    const std::uint32_t triangle = found.triangle[i];
-    if (triangle == HitPacket::noTriangle)
-      continue;
     const std::size_t r = group.receiver(sight.finder[i]);
     const Sensor& sensor = this->Direct.sensors()[r];
-    const Face& face = this->Faces[triangle];
-    const float d[3] = {packet.dx[i], packet.dy[i], packet.dz[i]}, t = found.distance[i];
-    const bool front = face.normal[0] * d[0] + face.normal[1] * d[1] + face.normal[2] * d[2] < 0;
-    SurfaceHit hit{{packet.ox[i] + t * d[0], packet.oy[i] + t * d[1], packet.oz[i] + t * d[2]},
-                   2 * triangle + (front ? 1 : 0),
-                   0,
-                   !isFarFrom(sensor.anchor, static_cast<double>(t * t)),
-                   static_cast<std::uint8_t>(sight.finder[i])};
+    const Vec3 direction{packet.dx[i], packet.dy[i], packet.dz[i]};
+    SurfaceHit hit;
+    float distance;
+    if (!this->meet(sensor, packet, found, i, hit, distance))
+      continue;
+    hit.finder = static_cast<std::uint8_t>(sight.finder[i]);
+    const std::uint32_t triangle = hit.side / 2;
     if (this->Lit.brdf(triangle).isLambertian())
     {
-      hit.cell = cellKey(face, hit, t, round.cellShare);
+      hit.cell = cellKey(this->Faces[triangle], hit, distance, round.cellShare);
       looks.hits.push_back(hit);
       continue;
     }
-    const Vec3 direction{d[0], d[1], d[2]};
     const Walks walks{this->Wanted.seed, Sampling::Independent};
     unshared.follow(
         r, each, sensor, direction, this->Lit.trace(sensor.anchor, direction),

@@ -65,7 +65,7 @@ std::uint64_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sen
                              int count)
 {
   std::uint64_t hidden = 0;
-  if (count == 1 || sensor.anchor.crowded)
+  if (count == 1 || sensor.doublePrecision)
   {
     for (int k = 0; k < count; ++k)
     {

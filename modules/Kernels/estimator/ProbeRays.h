@@ -24,11 +24,10 @@ template <class Visit>
 void sendProbes(const Scene& scene, const Sensor& sensor, int count, const Visit& visit)
 {
   const Frame frame(sensor.normal);
-  const bool alone = isInGap(scene, sensor.anchor);
   std::vector<RayOnItsWay> rays;
   rays.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
-    rays.push_back({sensor.anchor, probeDirection(frame, i), alone, {}});
+    rays.push_back({sensor.anchor, probeDirection(frame, i), sensor.doublePrecision, {}});
   traceTogether(scene, rays);
   for (const RayOnItsWay& ray : rays)
   {

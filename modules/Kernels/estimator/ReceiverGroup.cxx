@@ -11,13 +11,7 @@ void ReceiverGroup::add(std::size_t receiver, const Sensor& sensor)
 {
   const int k = this->Count++;
   this->Receiver[k] = receiver;
-  this->Anchor[k] = sensor.anchor;
-  this->X[k] = static_cast<float>(sensor.position.x);
-  this->Y[k] = static_cast<float>(sensor.position.y);
-  this->Z[k] = static_cast<float>(sensor.position.z);
-  this->Nx[k] = static_cast<float>(sensor.normal.x);
-  this->Ny[k] = static_cast<float>(sensor.normal.y);
-  this->Nz[k] = static_cast<float>(sensor.normal.z);
+  this->At.set(k, sensor.anchor);
   this->Near[k] = static_cast<float>(squaredNearness(sensor.anchor));
 }
 
@@ -33,9 +27,10 @@ void ReceiverGroup::share(const Sensor& y, int finder, bool near, const RayScene
              ny = static_cast<float>(y.normal.y), nz = static_cast<float>(y.normal.z);
   for (int k = 0; k < capacity; ++k)
   {
-    const float dx = px - this->X[k], dy = py - this->Y[k], dz = pz - this->Z[k];
+    const float dx = px - this->At.px[k], dy = py - this->At.py[k], dz = pz - this->At.pz[k];
     const float squared = dx * dx + dy * dy + dz * dz;
-    const float here = dx * this->Nx[k] + dy * this->Ny[k] + dz * this->Nz[k], there = -(dx * nx + dy * ny + dz * nz);
+    const float here = dx * this->At.nx[k] + dy * this->At.ny[k] + dz * this->At.nz[k],
+                there = -(dx * nx + dy * ny + dz * nz);
     const bool sees = here > 0 && there > 0 && squared > this->Near[k];
     g[k] = sees ? here * there / (squared * squared) : 0;
   }
@@ -43,11 +38,12 @@ void ReceiverGroup::share(const Sensor& y, int finder, bool near, const RayScene
     return;
   std::uint32_t hidden = 0;
   int lane[capacity], count = 0;
-  SegmentPacket packet;
+  SegmentPacket all, packet;
+  connect(y.anchor, this->At, all);
   for (int k = 0; k < this->Count; ++k)
     if (k != finder && g[k] > 0)
     {
-      packet.set(count, y.anchor, this->Anchor[k]);
+      packet.copy(count, all, k);
       lane[count++] = k;
     }
   if (rays && count > 0)

@@ -36,10 +36,8 @@ public:
 private:
   int Count = 0;
   std::size_t Receiver[capacity];
-  RayAnchor Anchor[capacity];
-  alignas(64) float X[capacity] = {}, Y[capacity] = {}, Z[capacity] = {};     // places
-  alignas(64) float Nx[capacity] = {}, Ny[capacity] = {}, Nz[capacity] = {};  // normals; 0, which sees nothing, of none
-  alignas(64) float Near[capacity] = {};                                      // m2, see squaredNearness()
+  AnchorPacket At = {};                   // a normal of 0, which sees nothing, of none
+  alignas(64) float Near[capacity] = {};  // m2, see squaredNearness()
 };
 
 /// The receivers in an order in which those that follow each other lie beside each other and look the same way: by the

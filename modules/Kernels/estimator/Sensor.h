@@ -15,10 +15,11 @@ namespace kalos
 struct Sensor
 {
   Vec3 position, normal;
-  RayAnchor anchor;            ///< where its rays leave the surface that it may lie on
-  const Brdf* brdf = nullptr;  ///< null: illuminance
-  Vec3 outgoing;               ///< unit, away from the surface; with brdf
-  bool followsMirror = true;   ///< false: the mirror part of the BRDF is left out
+  RayAnchor anchor;              ///< where its rays leave the surface that it may lie on
+  const Brdf* brdf = nullptr;    ///< null: illuminance
+  Vec3 outgoing;                 ///< unit, away from the surface; with brdf
+  bool doublePrecision = false;  ///< it lies in a gap or near others: its rays do not go in packets, see isInGap()
+  bool followsMirror = true;     ///< false: the mirror part of the BRDF is left out
   /// G/G* of the gather ray that found this glossy surface: its vertices already score there with a share
   /// a = 1/(1 + f^ G/G*), where f^ is pi f over the albedo; what is measured here is the share 1 - a. Infinite: all of
   /// it.

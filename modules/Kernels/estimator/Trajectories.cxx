@@ -25,8 +25,8 @@ void noteStart(const Scene& scene, std::size_t surface, const SurfacePoint& met,
     energy.trapped(surface) += 1;
 }
 
-// Walks one trajectory. `onStart(sample)`, `onSegment(from, direction, point, weight, first)` and `onCollision(point, towardsLight, weight)` see what happens.
-// Notes in `energy` what becomes of the light.
+// Walks one trajectory. `onStart(sample)`, `onSegment(from, direction, point, weight, first)` and `onCollision(point,
+// towardsLight, weight)` see what happens. Notes in `energy` what becomes of the light.
 template <class OnStart, class OnSegment, class OnCollision>
 void walk(const Scene& scene, const Emission& emission, SampleStream random, EnergySums& energy, OnStart onStart,
           OnSegment onSegment, OnCollision onCollision)

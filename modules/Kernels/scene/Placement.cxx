@@ -84,11 +84,11 @@ public:
   }
 
 private:
-  // How far off `from` the receiver may go: a few units in the last place, but less than half the way to what it then
-  // comes nearer to.
+  // How far off `from` the receiver goes: so far that single precision sees it there, but less than half the way to
+  // what it then comes nearer to.
   double room(const Touched& from, const Vec3& p, double side) const
   {
-    double room = 0x1.0p-4 * this->Near;
+    double room = 1.5 * from.reaches;
     for (const Touched& other : this->Others)
     {
       const double height = other.height(p), change = side * dot(from.normal, other.normal);

@@ -6,7 +6,7 @@ namespace kalos
 namespace
 {
 constexpr int width = SegmentPacket::width;
-constexpr double far = 500;  // times what a start is lifted
+constexpr double far = 250;  // times what a start is lifted
 
 // The rays that a packet takes, and who they are.
 struct Packet

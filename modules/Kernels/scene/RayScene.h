@@ -75,7 +75,39 @@ struct alignas(64) SegmentPacket
     const Vec3 o = from.liftedFor(to.point);
     this->set(i, o, to.liftedFor(from.point) - o);
   }
+
+  void copy(int i, const SegmentPacket& from, int k)
+  {
+    this->ox[i] = from.ox[k];
+    this->oy[i] = from.oy[k];
+    this->oz[i] = from.oz[k];
+    this->dx[i] = from.dx[k];
+    this->dy[i] = from.dy[k];
+    this->dz[i] = from.dz[k];
+  }
 };
+
+/// Sixteen anchors, in the same form and precision.
+struct alignas(64) AnchorPacket
+{
+  static constexpr int width = SegmentPacket::width;
+  float px[width], py[width], pz[width], nx[width], ny[width], nz[width], base[width], slope[width];
+
+  void set(int i, const RayAnchor& a)
+  {
+    this->px[i] = static_cast<float>(a.point.x);
+    this->py[i] = static_cast<float>(a.point.y);
+    this->pz[i] = static_cast<float>(a.point.z);
+    this->nx[i] = static_cast<float>(a.normal.x);
+    this->ny[i] = static_cast<float>(a.normal.y);
+    this->nz[i] = static_cast<float>(a.normal.z);
+    this->base[i] = static_cast<float>(a.base);
+    this->slope[i] = static_cast<float>(a.slope);
+  }
+};
+
+/// The segments from one anchor to sixteen, as SegmentPacket::set() makes them, in single precision.
+void connect(const RayAnchor& from, const AnchorPacket& to, SegmentPacket& segments);
 
 /// Where sixteen rays end. Of ray i: `triangle` is noTriangle when it ends nowhere, `distance` is in lengths of its
 /// direction, u and v are as in Hit.

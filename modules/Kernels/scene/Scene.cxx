@@ -87,6 +87,7 @@ Scene::Scene(SceneDescription description)
   const auto count = static_cast<std::uint32_t>(this->Data.triangles.size());
   this->Normals.resize(count);
   this->Areas.resize(count);
+  this->Lifts.reserve(count);
   for (std::uint32_t t = 0; t < count; ++t)
   {
     const Vec3 a = this->corner(t, 0);
@@ -95,30 +96,23 @@ Scene::Scene(SceneDescription description)
     require(this->Areas[t] > 0, "triangle " + std::to_string(t) + ": has no area");
     this->Normals[t] = normalized(twiceArea);
     this->SurfaceArea += this->Areas[t];
+    this->Lifts.push_back(this->liftAt(t));
   }
   for (const Luminaire& l : this->Data.luminaires)
-    this->LuminaireAnchors.push_back(l.isOneSided()
-                                         ? this->anchorWithin(l.position, l.axis, 0.5 * length(l.sideU + l.sideV) +
-                                                                                      this->contact(l.position))
-                                         : RayAnchor(l.position));
+    this->LuminaireAnchors.push_back(
+        l.isOneSided()
+            ? this->anchorWithin(l.position, l.axis, 0.5 * length(l.sideU + l.sideV) + this->contact(l.position))
+            : RayAnchor(l.position));
 }
 
-double Scene::liftPerMetre(std::uint32_t t) const
+Scene::Lift Scene::liftAt(std::uint32_t t) const
 {
-  const Vec3& n = this->Normals[t];
-  if (maxAbs(n) > 1 - 1e-12)  // across an axis: its corners share a coordinate, which is rounded alike
-    return roundingScale;
-  const Vec3 a = this->corner(t, 0), b = this->corner(t, 1), c = this->corner(t, 2);
+  const Vec3 &n = this->Normals[t], a = this->corner(t, 0), b = this->corner(t, 1), c = this->corner(t, 2);
   const double longest = std::max({dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)});
   const double slender = longest / (2 * this->Areas[t]);  // the longest side over the height on it
-  return roundingScale * std::max(1.0, 0.25 * slender);
-}
-
-RayAnchor Scene::anchor(std::uint32_t t, const Vec3& p, const Vec3& n) const
-{
-  const Vec3 largest = largestAbs(largestAbs(this->corner(t, 0), this->corner(t, 1)), this->corner(t, 2));
-  const double slope = this->liftPerMetre(t);
-  return {p, n, slope * absDot(n, largest), slope};
+  const bool isAcrossAxis = maxAbs(n) > 1 - 1e-12;        // its corners share a coordinate, which is rounded alike
+  const double slope = roundingScale * (isAcrossAxis ? 1.0 : std::max(1.0, 0.25 * slender));
+  return {static_cast<float>(slope * absDot(n, largestAbs(largestAbs(a, b), c))), static_cast<float>(slope)};
 }
 
 RayAnchor Scene::anchorWithin(const Vec3& p, const Vec3& n, double radius) const

@@ -85,11 +85,15 @@ public:
 
   /// Where rays leave or reach a point p of a triangle, n being its normal or the opposite.
   ///
-  /// Lift: in single precision a triangle's plane is missed by up to 16 units in the last place (2^-24) of the
+  /// Lift: in single precision a triangle's plane is missed by up to ten roundings (2^-24 each) of the
   /// coordinates of corners, ray ends and the way between, as they add up along n: |n_x| x + |n_y| y + |n_z| z. A plane
   /// across an axis has one coordinate only, and is exact in the others. The plane of a slender triangle tilts with its
   /// corners' rounding: by more, the longer it is over its height.
-  RayAnchor anchor(std::uint32_t triangle, const Vec3& p, const Vec3& n) const;
+  RayAnchor anchor(std::uint32_t triangle, const Vec3& p, const Vec3& n) const
+  {
+    const Lift& lift = this->Lifts[triangle];
+    return {p, n, lift.base, lift.slope};
+  }
   RayAnchor anchor(const SurfacePoint& p) const { return this->anchor(p.triangle, p.position, p.normal); }
 
   /// The same of a point that may lie on a surface of normal n, or on none.
@@ -112,12 +116,16 @@ public:
   bool clear(const Vec3& p, const Vec3& n, double radius) const;
 
 private:
-  static constexpr double roundingScale = 0x1.0p-20;
+  static constexpr double roundingScale = 0x1.4p-21;
 
   // An anchor at p lifted off all surfaces of normal n that come within `radius` of p, and by contact(p) at least.
   RayAnchor anchorWithin(const Vec3& p, const Vec3& n, double radius) const;
-  // Lift per metre of coordinates at a triangle.
-  double liftPerMetre(std::uint32_t triangle) const;
+  // What rays are lifted at a triangle: m for its own coordinates, and for each metre of the ends'.
+  struct Lift
+  {
+    float base, slope;
+  };
+  Lift liftAt(std::uint32_t triangle) const;
 
   static Vec3 recentre(SceneDescription& description, double& size);
 
@@ -128,6 +136,7 @@ private:
   std::vector<Brdf> Brdfs;  // one per material
   std::vector<Vec3> Normals;
   std::vector<double> Areas;
+  std::vector<Lift> Lifts;
   double SurfaceArea = 0;
   std::vector<RayAnchor> LuminaireAnchors;
 };
