@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "base/ErrorCatcher.h"
+#include "base/InputError.h"
 #include "photometric/PhotometricData.h"
-#include "scene/ErrorCatcher.h"
-#include "scene/SceneError.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

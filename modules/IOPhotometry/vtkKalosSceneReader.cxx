@@ -9,10 +9,10 @@
 #include <set>
 #include <vector>
 
+#include "base/InputError.h"
 #include "model/ModelFile.h"
-#include "model/ModelScene.h"
+#include "scene/ModelScene.h"
 #include "scene/SceneCameras.h"
-#include "scene/SceneError.h"
 #include "scene/SceneLuminaires.h"
 #include "scene/SceneMaterials.h"
 #include "scene/SceneReceivers.h"
@@ -51,17 +51,17 @@ std::string ReadText(const std::string& path)
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
   {
-    throw SceneError("file", "no such file; expected a scene file");
+    throw InputError("file", "no such file; expected a scene file");
   }
   if (std::filesystem::file_size(path, error) > MaximumBytes)
   {
-    throw SceneError("file", "larger than " + std::to_string(MaximumBytes >> 20) + " MiB; expected a scene file");
+    throw InputError("file", "larger than " + std::to_string(MaximumBytes >> 20) + " MiB; expected a scene file");
   }
   std::ifstream file(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (!file)
   {
-    throw SceneError("file", "cannot be read; expected a readable scene file");
+    throw InputError("file", "cannot be read; expected a readable scene file");
   }
   return text;
 }
@@ -76,7 +76,7 @@ nlohmann::json ReadJson(const std::string& path)
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
   {
-    throw SceneError("file", "no such file; expected a scene or model file");
+    throw InputError("file", "no such file; expected a scene or model file");
   }
   return {{"kalos", 1}, {"surfaces", {{{"file", std::filesystem::path(path).filename().string()}}}}};
 }
@@ -84,7 +84,7 @@ nlohmann::json ReadJson(const std::string& path)
 Scene ReadScene(const std::string& path)
 {
   const nlohmann::json json = ReadJson(path);
-  const Node root(json, "scene");
+  const JsonCursor root(json, "scene");
   root.CheckKeys({"kalos", "materials", "surfaces", "luminaires", "receivers", "cameras"});
   root.At("kalos").Integer(1, 1);
 
@@ -162,7 +162,7 @@ int vtkKalosSceneReader::RequestData(vtkInformationVector* outputVector)
     vtkMultiBlockDataSet::GetData(outputVector, 2)->ShallowCopy(scene.Receivers);
     this->Internal->Cameras = std::move(scene.Cameras);
   }
-  catch (const SceneError& error)
+  catch (const InputError& error)
   {
     vtkErrorMacro(<< error.Message(this->FileName));
     return 0;

@@ -4,7 +4,7 @@
  * @brief   read a scene: a Kalos scene file, or a glTF or OBJ model
  *
  * A scene file is JSON, lengths in metres, flux in lm; unknown keys are errors; paths are relative to the scene file
- * (the rule for those that lead elsewhere is in scene/FilePaths.h).
+ * (the rule for those that lead elsewhere is in base/FilePaths.h).
  *
  * - kalos: 1, the version of the format
  * - materials: NAME: reflectance (number or one a band, [0,1)); specular and roughness; mirror; exitance (lm/m²)
@@ -19,13 +19,13 @@
  * - cameras: name, position, target, up, fov_deg (vertical), resolution [width, height]
  *
  * A model as FileName is read as a scene file with nothing but the model in "surfaces". Without "receivers", a model
- * gets a plane 0.75 m above its floor, see model/WorkPlane.h. A material, luminaire or camera of the scene file
+ * gets a plane 0.75 m above its floor, see scene/WorkPlane.h. A material, luminaire or camera of the scene file
  * replaces the one of that name in a model. From a glTF come the default scene with all nodes and instances,
  * metallic-roughness materials with KHR_materials_emissive_strength, lights of KHR_lights_punctual (cd, lx) and
  * perspective cameras; y up is turned to z up. From an OBJ come objects and the materials of its libraries; it is taken
  * as metres with z up. What is approximated (mean colours of textures, far points for parallel light, ...) stands in
- * the field data array SceneNotes of port 0; the rules are in model/MetallicRoughness.h, model/ModelLuminaire.h and
- * model/MtlFile.h.
+ * the field data array SceneNotes of port 0; the rules are in material/MetallicRoughness.h, model/ModelLuminaire.h and
+ * material/MtlFile.h.
  *
  * Output ports:
  * - 0, vtkPolyData: all surfaces; polygons with the cell arrays of vtkKalosArrayNames.h, SurfaceId and SurfaceNames.

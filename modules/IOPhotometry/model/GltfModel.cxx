@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "GltfFile.h"
-#include "GltfLights.h"
-#include "GltfMaterials.h"
-#include "GltfMeshes.h"
-#include "Tally.h"
+#include "../base/NoteCounter.h"
+#include "../gltf/GltfFile.h"
+#include "../gltf/GltfLights.h"
+#include "../gltf/GltfMaterials.h"
+#include "../gltf/GltfMeshes.h"
 
 namespace kalos::scene
 {
@@ -28,7 +28,7 @@ public:
     this->Palette.push_back(use.Fallback ? *use.Fallback : plain);
   }
 
-  void Run(const std::vector<Node>& roots)
+  void Run(const std::vector<JsonCursor>& roots)
   {
     this->Visited.resize(this->File.Section("nodes").size());
     this->Push(roots, this->Use.Place);
@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  void Push(const std::vector<Node>& numbers, const Transform& parent)
+  void Push(const std::vector<JsonCursor>& numbers, const Transform& parent)
   {
     for (auto number = numbers.rbegin(); number != numbers.rend(); ++number)
     {
@@ -55,7 +55,7 @@ private:
     }
   }
 
-  void Visit(const Node& node, const Transform& world)
+  void Visit(const JsonCursor& node, const Transform& world)
   {
     if (node.Has("mesh"))
     {
@@ -75,11 +75,11 @@ private:
     }
   }
 
-  void AddPart(const Node& node, const Transform& world)
+  void AddPart(const JsonCursor& node, const Transform& world)
   {
     const GltfMesh& source = this->Meshes.Read(node.At("mesh"));
     ModelPart part;
-    for (const Node& named : {node, this->File.Element(node.At("mesh"), "meshes")})
+    for (const JsonCursor& named : {node, this->File.Element(node.At("mesh"), "meshes")})
     {
       const auto name = named.Find("name");
       part.Name = part.Name.empty() && name ? name->String() : part.Name;
@@ -133,7 +133,7 @@ private:
   const ModelUse& Use;
   Model& Result;
   GltfMeshes Meshes;
-  Tally Found;
+  NoteCounter Found;
   std::vector<Material> Palette;
   std::int32_t Unnamed = 0;
   std::vector<bool> Visited;
@@ -142,17 +142,17 @@ private:
 };
 
 /** The numbers of the root nodes: of the default scene, or of the first. */
-std::vector<Node> Roots(const GltfFile& file)
+std::vector<JsonCursor> Roots(const GltfFile& file)
 {
   const auto scene = file.Root().Find("scene");
-  const std::vector<Node>& scenes = file.Section("scenes");
+  const std::vector<JsonCursor>& scenes = file.Section("scenes");
   if (!scene && scenes.empty())
   {
     file.Root().Fail("no scenes; expected one, as a library of meshes has no place for them");
   }
-  const Node& chosen = scene ? file.Element(*scene, "scenes") : scenes.front();
+  const JsonCursor& chosen = scene ? file.Element(*scene, "scenes") : scenes.front();
   const auto nodes = chosen.Find("nodes");
-  return nodes ? nodes->Items() : std::vector<Node>();
+  return nodes ? nodes->Items() : std::vector<JsonCursor>();
 }
 }  // namespace
 

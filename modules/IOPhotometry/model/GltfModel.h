@@ -9,7 +9,7 @@
 
 namespace kalos::scene
 {
-/** Read the default scene: a part per node with a mesh, lights and cameras. Throws SceneError. */
+/** Read the default scene: a part per node with a mesh, lights and cameras. Throws InputError. */
 Model ReadGltfModel(const std::string& path, const ModelUse& use);
 }  // namespace kalos::scene
 

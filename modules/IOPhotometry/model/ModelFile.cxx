@@ -5,7 +5,7 @@
 #include <cctype>
 #include <filesystem>
 
-#include "../scene/SceneError.h"
+#include "../base/InputError.h"
 #include "GltfModel.h"
 #include "ObjModel.h"
 
@@ -40,7 +40,7 @@ Transform UprightPlace(double scale, bool yUp)
   return place;
 }
 
-Model ReadModelFile(const Node& place, const std::string& path, const ModelUse& use)
+Model ReadModelFile(const JsonCursor& place, const std::string& path, const ModelUse& use)
 {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
@@ -52,7 +52,7 @@ Model ReadModelFile(const Node& place, const std::string& path, const ModelUse& 
   {
     model = IsGltfFile(path) ? ReadGltfModel(path, use) : ReadObjModel(path, use);
   }
-  catch (const SceneError& error)
+  catch (const InputError& error)
   {
     throw error.In(path);
   }
@@ -72,7 +72,7 @@ Model ReadModelFile(const Node& place, const std::string& path, const ModelUse& 
   }
   if (model.Parts.empty() && model.Lights.empty())
   {
-    throw SceneError(path, "file", "no polygons and no lights; expected at least one of them");
+    throw InputError(path, "file", "no polygons and no lights; expected at least one of them");
   }
   return model;
 }

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "../base/JsonCursor.h"
 #include "ModelUse.h"
 
 namespace kalos::scene
@@ -18,9 +19,9 @@ Transform UprightPlace(double scale, bool yUp);
 
 /**
  * Read a model and check it; polygons without area are left out and counted. `place` is the scene file's value that
- * names it. Throws SceneError.
+ * names it. Throws InputError.
  */
-Model ReadModelFile(const Node& place, const std::string& path, const ModelUse& use);
+Model ReadModelFile(const JsonCursor& place, const std::string& path, const ModelUse& use);
 }  // namespace kalos::scene
 
 #endif

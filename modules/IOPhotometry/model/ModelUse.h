@@ -3,8 +3,8 @@
 #ifndef KalosModelUse_h
 #define KalosModelUse_h
 
+#include "../mesh/Transform.h"
 #include "Model.h"
-#include "Transform.h"
 
 namespace kalos::scene
 {

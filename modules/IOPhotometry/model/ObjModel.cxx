@@ -2,38 +2,17 @@
 #include "ObjModel.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <unordered_map>
 
-#include "../scene/FilePaths.h"
-#include "../scene/SceneError.h"
-#include "MtlFile.h"
-#include "Tally.h"
+#include "../base/FilePaths.h"
+#include "../base/InputError.h"
+#include "../base/NoteCounter.h"
+#include "../mesh/ObjMaterials.h"
 
 namespace kalos::scene
 {
 namespace
 {
-/** All libraries that are there, in one; `missing` names those that are not. */
-Materials ReadLibraries(const std::string& path, const ObjFile& file, Notes& notes, std::string& missing)
-{
-  Materials all;
-  for (const std::string& name : file.Libraries)
-  {
-    const std::string library = ResolvePath(std::filesystem::path(path).parent_path().string(), name, notes);
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(library, ignored))
-    {
-      all.merge(ReadMtlFile(library, notes));
-    }
-    else
-    {
-      missing += " (there is no " + Quotable(name) + ")";
-    }
-  }
-  return all;
-}
-
 /** Give the mesh, whose corners count `all`, the points of these that it uses. */
 void TakePoints(Mesh& mesh, const std::vector<Vector3>& all, const Transform& place)
 {
@@ -50,32 +29,6 @@ void TakePoints(Mesh& mesh, const std::vector<Vector3>& all, const Transform& pl
 }
 }  // namespace
 
-std::vector<Material> FindObjMaterials(const std::string& path, const ObjFile& file, const Materials& overrides,
-                                       Notes& notes)
-{
-  const auto given = [&](const std::string& name) { return overrides.count(name) > 0; };
-  Materials own;
-  std::string missing;
-  if (!std::all_of(file.MaterialNames.begin(), file.MaterialNames.end(), given))
-  {
-    own = ReadLibraries(path, file, notes, missing);
-  }
-  std::vector<Material> materials;
-  for (const std::string& name : file.MaterialNames)
-  {
-    const Materials& from = given(name) ? overrides : own;
-    const auto found = from.find(name);
-    if (found == from.end())
-    {
-      throw SceneError(
-          path, "usemtl " + Quotable(name),
-          "no such material in the scene; expected a name from \"materials\" or of a library of the file" + missing);
-    }
-    materials.push_back(found->second);
-  }
-  return materials;
-}
-
 Model ReadObjModel(const std::string& path, const ModelUse& use)
 {
   Model model;
@@ -87,7 +40,7 @@ Model ReadObjModel(const std::string& path, const ModelUse& use)
   palette.push_back(use.Fallback ? *use.Fallback : plain);
 
   std::vector<ModelPart> parts(file.ObjectNames.size());
-  Tally found(model.Approximations);
+  NoteCounter found(model.Approximations);
   for (std::size_t p = 0; p < file.Polygons.NumberOfPolygons(); ++p)
   {
     const std::size_t object = file.ObjectOf[p];

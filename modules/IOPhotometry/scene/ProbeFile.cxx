@@ -9,7 +9,7 @@
 #include <locale>
 #include <sstream>
 
-#include "SceneError.h"
+#include "../base/InputError.h"
 #include "SceneReceivers.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -48,7 +48,7 @@ bool NextLine(std::istream& file, std::string& line, const std::string& path, lo
   const auto count = static_cast<std::size_t>(file.gcount());
   if (file.fail() && count > 0)
   {
-    throw SceneError(path, "line " + std::to_string(number),
+    throw InputError(path, "line " + std::to_string(number),
                      "longer than " + std::to_string(MaximumProbeLine) + " bytes; expected " + Header);
   }
   line.assign(buffer.data(), file.eof() ? count : count - std::min<std::size_t>(count, 1));
@@ -67,7 +67,7 @@ bool MakeUnit(double* vector)
 }
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> ReadProbeFile(const Node& place, const std::string& path, std::int64_t most)
+vtkSmartPointer<vtkPolyData> ReadProbeFile(const JsonCursor& place, const std::string& path, std::int64_t most)
 {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
@@ -92,7 +92,7 @@ vtkSmartPointer<vtkPolyData> ReadProbeFile(const Node& place, const std::string&
       line.erase(std::remove(line.begin(), line.end(), ' '), line.end());
       if (line != Header)
       {
-        throw SceneError(path, where, std::string("the header is not as it should be; expected ") + Header);
+        throw InputError(path, where, std::string("the header is not as it should be; expected ") + Header);
       }
       continue;
     }
@@ -103,15 +103,15 @@ vtkSmartPointer<vtkPolyData> ReadProbeFile(const Node& place, const std::string&
     }
     if (!ParseRow(line, row))
     {
-      throw SceneError(path, where, std::string("not a receiver; expected six finite numbers ") + Header);
+      throw InputError(path, where, std::string("not a receiver; expected six finite numbers ") + Header);
     }
     if (!MakeUnit(&row[3]))
     {
-      throw SceneError(path, where, "the normal is zero; expected a direction");
+      throw InputError(path, where, "the normal is zero; expected a direction");
     }
     if (points->GetNumberOfPoints() >= most)
     {
-      throw SceneError(path, where, "one receiver too many; expected " + FewerReceivers(most));
+      throw InputError(path, where, "one receiver too many; expected " + FewerReceivers(most));
     }
     const vtkIdType id = points->InsertNextPoint(row.data());
     vertices->InsertNextCell(1, &id);
@@ -119,7 +119,7 @@ vtkSmartPointer<vtkPolyData> ReadProbeFile(const Node& place, const std::string&
   }
   if (points->GetNumberOfPoints() == 0)
   {
-    throw SceneError(path, "file",
+    throw InputError(path, "file",
                      std::string("no receivers; expected the header ") + Header + " and at least one line");
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneCameras.h"
 
-#include "Mesh.h"
+#include "../mesh/Mesh.h"
 
 namespace kalos::scene
 {
 namespace
 {
-Camera ReadCamera(const Node& node)
+Camera ReadCamera(const JsonCursor& node)
 {
   node.CheckKeys({"name", "position", "target", "up", "fov_deg", "resolution"});
   Camera camera;
   camera.Name = node.Name();
   static_cast<Sight&>(camera) = ReadSight(node);
-  const Node angle = node.At("fov_deg");
+  const JsonCursor angle = node.At("fov_deg");
   camera.FieldOfView = angle.Number();
   if (!(camera.FieldOfView > 0.0 && camera.FieldOfView < 180.0))
   {
@@ -24,7 +24,7 @@ Camera ReadCamera(const Node& node)
 }
 }  // namespace
 
-Sight ReadSight(const Node& node)
+Sight ReadSight(const JsonCursor& node)
 {
   Sight sight;
   sight.Position = node.At("position").Vector();
@@ -45,11 +45,11 @@ Sight ReadSight(const Node& node)
   return sight;
 }
 
-std::vector<Camera> ReadCameras(const Node& scene, std::set<std::string>& names)
+std::vector<Camera> ReadCameras(const JsonCursor& scene, std::set<std::string>& names)
 {
   std::vector<Camera> cameras;
   const auto section = scene.Find("cameras");
-  for (const Node& node : section ? section->Items() : std::vector<Node>())
+  for (const JsonCursor& node : section ? section->Items() : std::vector<JsonCursor>())
   {
     cameras.push_back(ReadCamera(node));
     if (!names.insert(cameras.back().Name).second)

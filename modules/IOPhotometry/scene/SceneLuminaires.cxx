@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "../model/Names.h"
-#include "ErrorCatcher.h"
-#include "FilePaths.h"
-#include "SceneError.h"
+#include "../base/ErrorCatcher.h"
+#include "../base/FilePaths.h"
+#include "../base/InputError.h"
+#include "../base/Names.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
@@ -25,7 +25,7 @@ namespace kalos::scene
 {
 namespace
 {
-int ReadDistribution(const Node& node)
+int ReadDistribution(const JsonCursor& node)
 {
   const std::string name = node.String();
   if (name != "isotropic" && name != "lambertian")
@@ -35,7 +35,7 @@ int ReadDistribution(const Node& node)
   return name == "isotropic" ? vtkKalosLuminaireSource::ISOTROPIC : vtkKalosLuminaireSource::LAMBERTIAN;
 }
 
-void ReadPoint(const Node& node, vtkKalosLuminaireSource* source)
+void ReadPoint(const JsonCursor& node, vtkKalosLuminaireSource* source)
 {
   source->SetShape(vtkKalosLuminaireSource::POINT);
   source->SetPosition(node.At("position").Vector().data());
@@ -51,9 +51,9 @@ void ReadPoint(const Node& node, vtkKalosLuminaireSource* source)
   }
 }
 
-void ReadRectangle(const Node& node, vtkKalosLuminaireSource* source)
+void ReadRectangle(const JsonCursor& node, vtkKalosLuminaireSource* source)
 {
-  const Node rectangle = node.At("rectangle");
+  const JsonCursor rectangle = node.At("rectangle");
   rectangle.CheckKeys({"center", "u", "v"});
   source->SetShape(vtkKalosLuminaireSource::RECTANGLE);
   source->SetPosition(rectangle.At("center").Vector().data());
@@ -76,8 +76,8 @@ void AddWarning(vtkStringArray* warnings, const std::string& code, const std::st
 }
 
 /** A luminaire of a photometric file; each file's warnings are told once. */
-vtkSmartPointer<vtkPolyData> ReadMeasured(const Node& node, const std::string& folder, std::set<std::string>& told,
-                                          vtkStringArray* warnings, Notes& notes)
+vtkSmartPointer<vtkPolyData> ReadMeasured(const JsonCursor& node, const std::string& folder,
+                                          std::set<std::string>& told, vtkStringArray* warnings, Notes& notes)
 {
   node.CheckKeys({"name", "position", "aim", "rotation_deg", "flux", "file", "lamp_set"});
   const std::string path = ResolvePath(folder, node.At("file").String(), notes);
@@ -104,7 +104,7 @@ vtkSmartPointer<vtkPolyData> ReadMeasured(const Node& node, const std::string& f
   {
     const std::string text = errors.FirstLine();
     const std::size_t where = path.size() + 2, end = text.find(": ", where);
-    throw SceneError(path, text.substr(where, end - where), text.substr(end + 2));
+    throw InputError(path, text.substr(where, end - where), text.substr(end + 2));
   }
   for (int i = 0; i < reader->GetNumberOfWarnings() && told.count(path) == 0; ++i)
   {
@@ -114,7 +114,7 @@ vtkSmartPointer<vtkPolyData> ReadMeasured(const Node& node, const std::string& f
   return vtkPolyData::SafeDownCast(reader->GetOutputDataObject(3));
 }
 
-vtkSmartPointer<vtkPolyData> ReadLuminaire(const Node& node)
+vtkSmartPointer<vtkPolyData> ReadLuminaire(const JsonCursor& node)
 {
   node.CheckKeys({"name", "position", "rectangle", "aim", "rotation_deg", "flux", "distribution", "file", "lamp_set"});
   if (node.Has("position") == node.Has("rectangle"))
@@ -209,7 +209,7 @@ void Append(vtkPolyData* all, vtkPolyData* one, Tables& tables)
 }
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string& folder,
+vtkSmartPointer<vtkPolyData> ReadLuminaires(const JsonCursor& scene, const std::string& folder,
                                             const std::vector<ModelLight>& lights, const Ball& lit, Notes& notes)
 {
   auto all = vtkSmartPointer<vtkPolyData>::New();
@@ -225,7 +225,7 @@ vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string
   all->GetFieldData()->AddArray(warnings);
   Tables tables(all);
   const auto section = scene.Find("luminaires");
-  for (const Node& node : section ? section->Items() : std::vector<Node>())
+  for (const JsonCursor& node : section ? section->Items() : std::vector<JsonCursor>())
   {
     const auto one = node.Has("file") ? ReadMeasured(node, folder, told, warnings, notes) : ReadLuminaire(node);
     if (!names.insert(node.Name()).second)

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneMaterials.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace kalos::scene
 {
 namespace
 {
-bool IsFraction(double value)
-{
-  return value >= 0.0 && value < 1.0;
-}
-
-Material ReadMaterial(const Node& node)
+Material ReadMaterial(const JsonCursor& node)
 {
   node.CheckKeys({"reflectance", "specular", "roughness", "mirror", "exitance"});
   Material material;
@@ -51,35 +43,7 @@ Material ReadMaterial(const Node& node)
 }
 }  // namespace
 
-std::string CheckMaterial(const Material& material)
-{
-  const std::vector<double>& diffuse = material.Reflectance;
-  if (!std::all_of(diffuse.begin(), diffuse.end(), IsFraction))
-  {
-    return "the reflectance is out of range; expected at least 0 and below 1";
-  }
-  if (!IsFraction(material.Specular) || !IsFraction(material.Mirror))
-  {
-    return "the specular or mirror reflectance is out of range; expected at least 0 and below 1";
-  }
-  if (!(material.Roughness > 0.0 && material.Roughness <= 1.0))
-  {
-    return "the roughness is out of range; expected above 0 and at most 1";
-  }
-  const std::vector<double>& exitance = material.Exitance;
-  if (!std::all_of(exitance.begin(), exitance.end(), [](double m) { return std::isfinite(m) && m >= 0.0; }))
-  {
-    return "the exitance is negative or not finite; expected at least 0 lm/m2";
-  }
-  const double most = *std::max_element(diffuse.begin(), diffuse.end());
-  if (!(most + material.Specular + material.Mirror < 1.0))
-  {
-    return "reflectance + specular + mirror reach 1; expected a sum below 1";
-  }
-  return {};
-}
-
-Materials ReadMaterials(const Node& scene)
+Materials ReadMaterials(const JsonCursor& scene)
 {
   Materials materials;
   if (const auto section = scene.Find("materials"))

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "ErrorCatcher.h"
-#include "FilePaths.h"
+#include "../base/ErrorCatcher.h"
+#include "../base/FilePaths.h"
 #include "ProbeFile.h"
 #include "SceneCameras.h"
 #include "SurfaceReceivers.h"
@@ -23,13 +23,13 @@ namespace kalos::scene
 {
 namespace
 {
-bool ReadFlip(const Node& node)
+bool ReadFlip(const JsonCursor& node)
 {
   const auto flip = node.Find("flip");
   return flip && flip->Boolean();
 }
 
-std::array<int, 2> ReadGrid(const Node& plane)
+std::array<int, 2> ReadGrid(const JsonCursor& plane)
 {
   const auto spacing = plane.Find("spacing");
   if (!spacing)
@@ -52,10 +52,10 @@ std::array<int, 2> ReadGrid(const Node& plane)
   return *cells;
 }
 
-vtkSmartPointer<vtkPolyData> ReadPlane(const Node& receiver, std::int64_t most)
+vtkSmartPointer<vtkPolyData> ReadPlane(const JsonCursor& receiver, std::int64_t most)
 {
   receiver.CheckKeys({"name", "plane", "flip"});
-  const Node node = receiver.At("plane");
+  const JsonCursor node = receiver.At("plane");
   node.CheckKeys({"origin", "u", "v", "resolution", "spacing", "flip"});
   if (node.Has("flip") && receiver.Has("flip"))
   {
@@ -81,17 +81,18 @@ vtkSmartPointer<vtkPolyData> ReadPlane(const Node& receiver, std::int64_t most)
   return plane->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> ReadSurface(const Node& receiver, const std::vector<Surface>& surfaces, std::int64_t most)
+vtkSmartPointer<vtkPolyData> ReadSurface(const JsonCursor& receiver, const std::vector<Surface>& surfaces,
+                                         std::int64_t most)
 {
   receiver.CheckKeys({"name", "surface", "edge_length", "flip"});
-  const Node node = receiver.At("surface");
+  const JsonCursor node = receiver.At("surface");
   const std::string name = node.String();
   const auto found = std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& s) { return s.Name == name; });
   if (found == surfaces.end())
   {
     node.FailExpected("the name of one of \"surfaces\"");
   }
-  const Node length = receiver.At("edge_length");
+  const JsonCursor length = receiver.At("edge_length");
   try
   {
     return MakeSurfaceReceivers(found->Polygons, length.NumberAbove(0.0), ReadFlip(receiver), most);
@@ -103,10 +104,10 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const Node& receiver, const std::vector
 }
 
 /** One eye: a point whose normal is the line of sight. */
-vtkSmartPointer<vtkPolyData> ReadObserver(const Node& receiver)
+vtkSmartPointer<vtkPolyData> ReadObserver(const JsonCursor& receiver)
 {
   receiver.CheckKeys({"name", "observer"});
-  const Node node = receiver.At("observer");
+  const JsonCursor node = receiver.At("observer");
   node.CheckKeys({"position", "target", "up"});
   const Sight sight = ReadSight(node);
   auto observer = vtkSmartPointer<vtkPolyData>::New();
@@ -129,7 +130,7 @@ vtkSmartPointer<vtkPolyData> ReadObserver(const Node& receiver)
   return observer;
 }
 
-vtkSmartPointer<vtkPolyData> ReadReceiver(const Node& node, const std::vector<Surface>& surfaces,
+vtkSmartPointer<vtkPolyData> ReadReceiver(const JsonCursor& node, const std::vector<Surface>& surfaces,
                                           const std::string& folder, std::int64_t most, Notes& notes)
 {
   const int kinds =
@@ -152,7 +153,7 @@ vtkSmartPointer<vtkPolyData> ReadReceiver(const Node& node, const std::vector<Su
     return ReadObserver(node);
   }
   node.CheckKeys({"name", "points"});
-  const Node points = node.At("points");
+  const JsonCursor points = node.At("points");
   return ReadProbeFile(points, ResolvePath(folder, points.String(), notes), most);
 }
 }  // namespace
@@ -180,14 +181,14 @@ std::optional<std::array<int, 2>> StandardGrid(double u, double v)
   return cells;
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> ReadReceivers(const Node& scene, const std::vector<Surface>& surfaces,
+vtkSmartPointer<vtkMultiBlockDataSet> ReadReceivers(const JsonCursor& scene, const std::vector<Surface>& surfaces,
                                                     const std::string& folder, std::set<std::string>& names,
                                                     Notes& notes)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   std::int64_t left = MaximumReceivers;
   const auto section = scene.Find("receivers");
-  for (const Node& node : section ? section->Items() : std::vector<Node>())
+  for (const JsonCursor& node : section ? section->Items() : std::vector<JsonCursor>())
   {
     const unsigned int block = blocks->GetNumberOfBlocks();
     const auto data = ReadReceiver(node, surfaces, folder, left, notes);

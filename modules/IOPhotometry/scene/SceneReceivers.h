@@ -33,7 +33,7 @@ std::optional<std::array<int, 2>> StandardGrid(double u, double v);
  * given away; the receivers' are added. Files that lie elsewhere are added to `notes` (FilePaths.h). More than
  * MaximumReceivers in all are an error.
  */
-vtkSmartPointer<vtkMultiBlockDataSet> ReadReceivers(const Node& scene, const std::vector<Surface>& surfaces,
+vtkSmartPointer<vtkMultiBlockDataSet> ReadReceivers(const JsonCursor& scene, const std::vector<Surface>& surfaces,
                                                     const std::string& folder, std::set<std::string>& names,
                                                     Notes& notes);
 }  // namespace kalos::scene

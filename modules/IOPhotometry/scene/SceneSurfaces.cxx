@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <set>
 
+#include "../base/FilePaths.h"
+#include "../base/InputError.h"
+#include "../base/Names.h"
+#include "../mesh/MeshFile.h"
 #include "../model/ModelFile.h"
-#include "../model/Names.h"
-#include "FilePaths.h"
-#include "MeshFile.h"
-#include "SceneError.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -23,7 +23,7 @@ namespace kalos::scene
 {
 namespace
 {
-Mesh ReadQuad(const Node& node)
+Mesh ReadQuad(const JsonCursor& node)
 {
   node.CheckKeys({"origin", "u", "v"});
   const Mesh quad = MakeQuad(node.At("origin").Vector(), node.At("u").Vector(), node.At("v").Vector());
@@ -36,7 +36,7 @@ Mesh ReadQuad(const Node& node)
   return quad;
 }
 
-Mesh ReadBox(const Node& node)
+Mesh ReadBox(const JsonCursor& node)
 {
   node.CheckKeys({"center", "size", "rotation_z_deg"});
   const Vector3 size = node.At("size").Vector();
@@ -48,7 +48,7 @@ Mesh ReadBox(const Node& node)
   return MakeBox(node.At("center").Vector(), size, rotation ? rotation->Number() : 0.0);
 }
 
-const Material* FindMaterial(const Node& surface, const Materials& materials)
+const Material* FindMaterial(const JsonCursor& surface, const Materials& materials)
 {
   const auto node = surface.Find("material");
   if (!node)
@@ -64,7 +64,7 @@ const Material* FindMaterial(const Node& surface, const Materials& materials)
 }
 
 /** Where the coordinates of a file lie; without keys, glTF has y up and all others z. */
-Transform ReadPlace(const Node& node, const std::string& path)
+Transform ReadPlace(const JsonCursor& node, const std::string& path)
 {
   const auto scale = node.Find("scale");
   const auto up = node.Find("up");
@@ -101,10 +101,10 @@ Mesh Join(const Model& model)
   return mesh;
 }
 
-Mesh ReadFile(const Node& node, const Materials& materials, const Material* material, const std::string& folder,
+Mesh ReadFile(const JsonCursor& node, const Materials& materials, const Material* material, const std::string& folder,
               Notes& notes)
 {
-  const Node file = node.At("file");
+  const JsonCursor file = node.At("file");
   const std::string path = ResolvePath(folder, file.String(), notes);
   const Transform place = ReadPlace(node, path);
   if (IsGltfFile(path))
@@ -121,7 +121,7 @@ Mesh ReadFile(const Node& node, const Materials& materials, const Material* mate
   return mesh;
 }
 
-Mesh ReadPolygons(const Node& node, const Materials& materials, const std::string& folder, Notes& notes)
+Mesh ReadPolygons(const JsonCursor& node, const Materials& materials, const std::string& folder, Notes& notes)
 {
   const int shapes = int(node.Has("quad")) + int(node.Has("box")) + int(node.Has("file"));
   if (shapes != 1)
@@ -152,11 +152,11 @@ Mesh ReadPolygons(const Node& node, const Materials& materials, const std::strin
 }
 
 /** A model file whose parts are surfaces under their own names. */
-void AddModel(const Node& node, const Materials& materials, const std::string& folder, std::set<std::string>& names,
-              SceneSurfaces& surfaces)
+void AddModel(const JsonCursor& node, const Materials& materials, const std::string& folder,
+              std::set<std::string>& names, SceneSurfaces& surfaces)
 {
   node.CheckKeys({"file", "material", "scale", "up", "lights", "cameras"});
-  const Node file = node.At("file");
+  const JsonCursor file = node.At("file");
   Notes& notes = surfaces.Approximations;
   const std::string path = ResolvePath(folder, file.String(), notes);
   Model model = ReadModelFile(file, path, {ReadPlace(node, path), &materials, FindMaterial(node, materials)});
@@ -194,7 +194,7 @@ std::size_t NumberOfBands(const std::vector<Surface>& surfaces)
       {
         if (n > 1 && bands > 1 && n != bands)
         {
-          throw SceneError(surface.Where + ".material", std::to_string(n) + " bands where an earlier material has " +
+          throw InputError(surface.Where + ".material", std::to_string(n) + " bands where an earlier material has " +
                                                             std::to_string(bands) + "; expected 1 or the same number");
         }
         bands = std::max(bands, n);
@@ -215,12 +215,12 @@ vtkSmartPointer<vtkDoubleArray> NewCellArray(vtkPolyData* data, const char* name
 }
 }  // namespace
 
-SceneSurfaces ReadSurfaces(const Node& scene, const Materials& materials, const std::string& folder)
+SceneSurfaces ReadSurfaces(const JsonCursor& scene, const Materials& materials, const std::string& folder)
 {
   SceneSurfaces surfaces;
   std::set<std::string> names;
   const auto section = scene.Find("surfaces");
-  for (const Node& node : section ? section->Items() : std::vector<Node>())
+  for (const JsonCursor& node : section ? section->Items() : std::vector<JsonCursor>())
   {
     const auto file = node.Find("file");
     if (file && !node.Has("name") && IsModelFile(file->String()))

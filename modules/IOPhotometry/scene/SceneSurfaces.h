@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "../base/JsonCursor.h"
+#include "../mesh/Mesh.h"
 #include "../model/Model.h"
-#include "Mesh.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -31,7 +32,7 @@ struct SceneSurfaces
 };
 
 /** Read the array "surfaces"; `folder` is that of the scene file. */
-SceneSurfaces ReadSurfaces(const Node& scene, const Materials& materials, const std::string& folder);
+SceneSurfaces ReadSurfaces(const JsonCursor& scene, const Materials& materials, const std::string& folder);
 
 /** All surfaces in one, with the cell arrays of vtkKalosArrayNames.h; materials of 1 band are spread over all bands. */
 vtkSmartPointer<vtkPolyData> MakeSurfaceData(const std::vector<Surface>& surfaces);

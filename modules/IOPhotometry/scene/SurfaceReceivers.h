@@ -3,7 +3,7 @@
 #ifndef KalosSceneSurfaceReceivers_h
 #define KalosSceneSurfaceReceivers_h
 
-#include "Mesh.h"
+#include "../mesh/Mesh.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 

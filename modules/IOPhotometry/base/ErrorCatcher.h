@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Collects the error events of a VTK algorithm and its executive, so that they become our one-line message. */
+#ifndef KalosErrorCatcher_h
+#define KalosErrorCatcher_h
+
+#include <string>
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkNew.h"
+
+namespace kalos::scene
+{
+class ErrorCatcher
+{
+public:
+  /** Warnings count as errors, or with `tolerant` are kept off the screen only. */
+  explicit ErrorCatcher(vtkAlgorithm* algorithm, bool tolerant = false)
+  {
+    this->Observer->Tolerant = tolerant;
+    algorithm->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+    algorithm->AddObserver(vtkCommand::WarningEvent, this->Observer);
+    algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+  }
+
+  /** For objects inside the algorithm that report errors of their own. */
+  vtkCommand* Command() const { return this->Observer.Get(); }
+
+  bool Empty() const { return this->Observer->Text.empty(); }
+
+  /** The first message without VTK's "ERROR: In FILE, line N" and the object's address. */
+  std::string FirstLine() const
+  {
+    std::string text = this->Observer->Text;
+    const std::size_t start = text.find("): ");
+    text = start == std::string::npos ? text : text.substr(start + 3);
+    return text.substr(0, text.find_first_of("\r\n"));
+  }
+
+private:
+  struct Collector : public vtkCommand
+  {
+    static Collector* New() { return new Collector; }
+    void Execute(vtkObject*, unsigned long event, void* data) override
+    {
+      if (this->Text.empty() && !(this->Tolerant && event == vtkCommand::WarningEvent))
+      {
+        this->Text = data ? static_cast<const char*>(data) : "unknown error";
+      }
+    }
+    std::string Text;
+    bool Tolerant = false;
+  };
+
+  vtkNew<Collector> Observer;
+};
+}  // namespace kalos::scene
+
+#endif

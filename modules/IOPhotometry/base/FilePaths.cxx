@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilePaths.h"
+
+#include <filesystem>
+#include <set>
+
+#include "InputError.h"
+#include "Names.h"
+
+namespace kalos::scene
+{
+namespace
+{
+const char* const Subject = "files elsewhere";
+}  // namespace
+
+std::string ResolvePath(const std::string& folder, const std::string& path, Notes& notes)
+{
+  const std::filesystem::path whole = std::filesystem::path(folder) / path;
+  const std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
+  if (normal.is_absolute() || (!normal.empty() && *normal.begin() == ".."))
+  {
+    notes.push_back({Subject, whole.lexically_normal().string(), {}});
+  }
+  return whole.string();
+}
+
+Notes JoinFilesElsewhere(const Notes& notes)
+{
+  Notes joined;
+  std::set<std::string> elsewhere;
+  for (const Note& note : notes)
+  {
+    if (note.Subject == Subject)
+    {
+      elsewhere.insert(AsUtf8(OneLine(note.Choice)));
+    }
+    else
+    {
+      joined.push_back(note);
+    }
+  }
+  std::string names;
+  for (const std::string& name : elsewhere)
+  {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  if (!elsewhere.empty())
+  {
+    joined.push_back(
+        {Subject, std::to_string(elsewhere.size()) + " read",
+         "named by a path that is absolute or leads out of the folder of the file that names it: " + names});
+  }
+  return joined;
+}
+}  // namespace kalos::scene

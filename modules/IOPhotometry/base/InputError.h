@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** What went wrong in an input file: thrown while reading, caught once, in the reader's RequestData. */
+#ifndef KalosInputError_h
+#define KalosInputError_h
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace kalos::scene
+{
+/** Line breaks and other control characters, as names may hold, become question marks. */
+inline std::string OneLine(std::string text)
+{
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  return text;
+}
+
+/** Bytes of a damaged file, fit for a message: at most 40, those that are not ASCII as question marks. */
+inline std::string Quotable(std::string text)
+{
+  text = text.substr(0, 40);
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c > 126; }, '?');
+  return text;
+}
+
+/** The message is `FILE: WHERE: what is wrong and what is expected`; FILE is filled in by whoever knows it. */
+class InputError : public std::runtime_error
+{
+public:
+  InputError(const std::string& where, const std::string& what) : std::runtime_error(OneLine(where + ": " + what)) {}
+  InputError(const std::string& file, const std::string& where, const std::string& what)
+      : std::runtime_error(OneLine(file + ": " + where + ": " + what)), HasFile(true)
+  {
+  }
+
+  /** The same with its file filled in, unless it has one. */
+  InputError In(const std::string& file) const
+  {
+    return this->HasFile ? *this : InputError(OneLine(file + ": " + this->what()));
+  }
+
+  std::string Message(const std::string& file) const
+  {
+    return this->HasFile ? this->what() : file + ": " + this->what();
+  }
+
+private:
+  explicit InputError(const std::string& complete) : std::runtime_error(complete), HasFile(true) {}
+
+  bool HasFile = false;
+};
+}  // namespace kalos::scene
+
+#endif

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "JsonCursor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "InputError.h"
+
+namespace kalos::scene
+{
+namespace
+{
+using nlohmann::json;
+
+/** Watches the parser for what JSON allows and a scene does not: duplicate keys and bottomless nesting. */
+class Watch
+{
+public:
+  bool operator()(int depth, json::parse_event_t event, json& parsed)
+  {
+    if (depth > MaximumDepth)
+    {
+      throw InputError(this->Path(),
+                       "nested deeper than " + std::to_string(MaximumDepth) + " levels; expected a scene");
+    }
+    if (event == json::parse_event_t::object_start)
+    {
+      this->Frames.emplace_back();
+    }
+    else if (event == json::parse_event_t::object_end && !this->Frames.empty())
+    {
+      this->Frames.pop_back();
+    }
+    else if (event == json::parse_event_t::key && !this->Frames.empty())
+    {
+      Frame& frame = this->Frames.back();
+      frame.Key = parsed.get<std::string>();
+      if (!frame.Keys.insert(frame.Key).second)
+      {
+        throw InputError(this->Path(), "this key appears twice; expected once");
+      }
+    }
+    return true;
+  }
+
+private:
+  struct Frame
+  {
+    std::string Key;
+    std::set<std::string> Keys;
+  };
+
+  std::string Path() const
+  {
+    std::string path;
+    for (const Frame& frame : this->Frames)
+    {
+      path += (path.empty() || frame.Key.empty() ? "" : ".") + frame.Key;
+    }
+    return path.empty() ? "scene" : path;
+  }
+
+  std::vector<Frame> Frames;
+};
+
+std::string LineAndColumn(const std::string& text, std::size_t byte)
+{
+  const std::size_t end = std::min(byte == 0 ? 0 : byte - 1, text.size());
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+  const std::size_t newline = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
+  const std::size_t column = newline == std::string::npos ? end + 1 : end - newline;
+  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+/** Short form of a value for a message. */
+std::string Shown(const json& value)
+{
+  std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
+  return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+}
+
+std::string Quoted(std::initializer_list<const char*> keys)
+{
+  std::string text;
+  for (const char* key : keys)
+  {
+    text += (text.empty() ? "" : ", ") + std::string(key);
+  }
+  return text;
+}
+
+std::string Text(double number)
+{
+  return json(number).dump();
+}
+}  // namespace
+
+json ParseJson(const std::string& text)
+{
+  try
+  {
+    Watch watch;
+    return json::parse(
+        text, [&watch](int depth, json::parse_event_t event, json& parsed) { return watch(depth, event, parsed); });
+  }
+  catch (const json::parse_error& error)
+  {
+    // The library's text is "[...] parse error at line 1, column 2: reason"; keep the reason.
+    std::string reason = error.what();
+    const std::size_t place = reason.find("column ");
+    const std::size_t colon = reason.find(": ", place == std::string::npos ? 0 : place);
+    reason = colon == std::string::npos ? reason : reason.substr(colon + 2);
+    std::replace_if(
+        reason.begin(), reason.end(), [](unsigned char c) { return c > 126; }, '?');
+    throw InputError(LineAndColumn(text, error.byte), "malformed JSON: " + reason);
+  }
+  catch (const json::out_of_range& error)
+  {
+    const std::string reason = error.what();
+    throw InputError("scene",
+                     "a number is too large: " + reason.substr(reason.find("] ") + 2) + "; expected a finite one");
+  }
+}
+
+void JsonCursor::Fail(const std::string& what) const
+{
+  throw InputError(this->Place, what);
+}
+
+void JsonCursor::FailExpected(const std::string& expected) const
+{
+  this->Fail("found " + Shown(*this->Json) + "; expected " + expected);
+}
+
+void JsonCursor::CheckKeys(std::initializer_list<const char*> keys) const
+{
+  if (!this->Json->is_object())
+  {
+    this->FailExpected("an object with the keys " + Quoted(keys));
+  }
+  for (const auto& member : this->Json->items())
+  {
+    const bool known = std::any_of(keys.begin(), keys.end(), [&](const char* key) { return member.key() == key; });
+    if (!known)
+    {
+      this->Fail("unknown key " + Shown(member.key()) + "; expected " + Quoted(keys));
+    }
+  }
+}
+
+bool JsonCursor::Has(const char* key) const
+{
+  return this->Json->is_object() && this->Json->contains(key);
+}
+
+JsonCursor JsonCursor::At(const char* key) const
+{
+  if (!this->Has(key))
+  {
+    this->Fail("the key \"" + std::string(key) + "\" is missing");
+  }
+  return JsonCursor(this->Json->at(key), this->Place == "scene" ? std::string(key) : this->Place + "." + key);
+}
+
+std::optional<JsonCursor> JsonCursor::Find(const char* key) const
+{
+  return this->Has(key) ? std::optional<JsonCursor>(this->At(key)) : std::nullopt;
+}
+
+double JsonCursor::Number() const
+{
+  if (!this->Json->is_number())
+  {
+    this->FailExpected("a number");
+  }
+  return this->Json->get<double>();
+}
+
+double JsonCursor::NumberAbove(double minimum) const
+{
+  const double number = this->Number();
+  if (!(number > minimum))
+  {
+    this->FailExpected("a number above " + Text(minimum));
+  }
+  return number;
+}
+
+double JsonCursor::NumberAtLeast(double minimum) const
+{
+  const double number = this->Number();
+  if (!(number >= minimum))
+  {
+    this->FailExpected("a number of at least " + Text(minimum));
+  }
+  return number;
+}
+
+double JsonCursor::Fraction() const
+{
+  const double number = this->Number();
+  if (!(number >= 0.0 && number < 1.0))
+  {
+    this->FailExpected("a number of at least 0 and below 1");
+  }
+  return number;
+}
+
+int JsonCursor::Integer(int minimum, int maximum) const
+{
+  const std::string expected = "a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum);
+  if (!this->Json->is_number())
+  {
+    this->FailExpected(expected);
+  }
+  const double number = this->Json->get<double>();
+  if (number != std::floor(number) || number < minimum || number > maximum)
+  {
+    this->FailExpected(expected);
+  }
+  return static_cast<int>(number);
+}
+
+bool JsonCursor::Boolean() const
+{
+  if (!this->Json->is_boolean())
+  {
+    this->FailExpected("true or false");
+  }
+  return this->Json->get<bool>();
+}
+
+std::string JsonCursor::String() const
+{
+  if (!this->Json->is_string())
+  {
+    this->FailExpected("a string");
+  }
+  return this->Json->get<std::string>();
+}
+
+Vector3 JsonCursor::Vector() const
+{
+  if (!this->Json->is_array() || this->Json->size() != 3 ||
+      !std::all_of(this->Json->begin(), this->Json->end(), [](const json& value) { return value.is_number(); }))
+  {
+    this->FailExpected("three numbers [x, y, z]");
+  }
+  return {(*this->Json)[0].get<double>(), (*this->Json)[1].get<double>(), (*this->Json)[2].get<double>()};
+}
+
+Vector3 JsonCursor::NonZeroVector() const
+{
+  const Vector3 vector = this->Vector();
+  if (vector == Vector3{})
+  {
+    this->FailExpected("a direction, not zero");
+  }
+  return vector;
+}
+
+std::array<int, 2> JsonCursor::Resolution() const
+{
+  constexpr double maximum = 1e8;
+  const std::string expected = "two whole numbers of at least 1, with a product of at most 100000000";
+  if (!this->Json->is_array() || this->Json->size() != 2)
+  {
+    this->FailExpected(expected);
+  }
+  std::array<int, 2> resolution{};
+  double product = 1.0;
+  for (int i = 0; i < 2; ++i)
+  {
+    const json& value = (*this->Json)[i];
+    const double number = value.is_number() ? value.get<double>() : 0.0;
+    product *= number;
+    if (number != std::floor(number) || number < 1.0 || product > maximum)
+    {
+      this->FailExpected(expected);
+    }
+    resolution[i] = static_cast<int>(number);
+  }
+  return resolution;
+}
+
+std::vector<double> JsonCursor::Bands(double below) const
+{
+  const std::string range = std::isfinite(below) ? "at least 0 and below " + Text(below) : "at least 0";
+  const std::string expected =
+      "a number of " + range + ", or 1 to " + std::to_string(MaximumBands) + " such numbers, one a band";
+  std::vector<double> bands;
+  if (this->Json->is_number())
+  {
+    bands.push_back(this->Json->get<double>());
+  }
+  else if (this->Json->is_array() && !this->Json->empty() && this->Json->size() <= MaximumBands)
+  {
+    for (const json& value : *this->Json)
+    {
+      bands.push_back(value.is_number() ? value.get<double>() : -1.0);
+    }
+  }
+  if (bands.empty() || !std::all_of(bands.begin(), bands.end(), [=](double b) { return b >= 0.0 && b < below; }))
+  {
+    this->FailExpected(expected);
+  }
+  return bands;
+}
+
+std::vector<JsonCursor> JsonCursor::Items() const
+{
+  if (!this->Json->is_array())
+  {
+    this->FailExpected("an array");
+  }
+  std::vector<JsonCursor> items;
+  for (std::size_t i = 0; i < this->Json->size(); ++i)
+  {
+    const json& item = (*this->Json)[i];
+    const bool named = item.is_object() && item.contains("name") && item["name"].is_string();
+    items.emplace_back(item,
+                       this->Place + (named ? "." + item["name"].get<std::string>() : "[" + std::to_string(i) + "]"));
+  }
+  return items;
+}
+
+std::vector<std::pair<std::string, JsonCursor>> JsonCursor::Members() const
+{
+  if (!this->Json->is_object())
+  {
+    this->FailExpected("an object");
+  }
+  std::vector<std::pair<std::string, JsonCursor>> members;
+  for (const auto& member : this->Json->items())
+  {
+    members.emplace_back(member.key(), JsonCursor(member.value(), this->Place + "." + member.key()));
+  }
+  return members;
+}
+
+std::string JsonCursor::Name() const
+{
+  const JsonCursor node = this->At("name");
+  const std::string name = node.String();
+  const bool plain =
+      std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == '/' || c == '\\'; });
+  // Results are files called NAME.csv and the like.
+  if (name.empty() || name.size() > 200 || name.front() == '.' || !plain)
+  {
+    node.FailExpected("a name that can be a file name: 1 to 200 characters, no slash, no dot at the start");
+  }
+  return name;
+}
+}  // namespace kalos::scene

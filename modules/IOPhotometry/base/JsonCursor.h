@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * JSON with the place kept: every value knows its path (`materials.white.reflectance`), every request for a value says
+ * what it expects, and a value that does not fit throws a InputError with both.
+ */
+#ifndef KalosJsonCursor_h
+#define KalosJsonCursor_h
+
+#include <array>
+#include <initializer_list>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+#include "Vectors.h"
+
+namespace kalos::scene
+{
+constexpr int MaximumDepth = 32;               ///< of nested objects and arrays in a scene file
+constexpr std::size_t MaximumBytes = 1 << 26;  ///< size of a scene file
+constexpr int MaximumBands = 256;              ///< components of a reflectance
+
+/** Parse a text; malformed JSON, duplicate keys and too deep nesting throw. */
+nlohmann::json ParseJson(const std::string& text);
+
+class JsonCursor
+{
+public:
+  /** `json` must outlive the node. */
+  JsonCursor(const nlohmann::json& json, std::string where) : Json(&json), Place(std::move(where)) {}
+
+  const std::string& Where() const { return this->Place; }
+  [[noreturn]] void Fail(const std::string& what) const;
+  /** Fail with "VALUE found; expected ...". */
+  [[noreturn]] void FailExpected(const std::string& expected) const;
+
+  /** Be an object with no other keys than these. */
+  void CheckKeys(std::initializer_list<const char*> keys) const;
+  bool Has(const char* key) const;
+  JsonCursor At(const char* key) const;
+  std::optional<JsonCursor> Find(const char* key) const;
+
+  double Number() const;
+  double NumberAbove(double minimum) const;
+  double NumberAtLeast(double minimum) const;
+  /** A reflectance-like number in [0, 1). */
+  double Fraction() const;
+  int Integer(int minimum, int maximum) const;
+  bool Boolean() const;
+  std::string String() const;
+  Vector3 Vector() const;
+  Vector3 NonZeroVector() const;
+  /** Two whole numbers whose product is limited. */
+  std::array<int, 2> Resolution() const;
+  /** One number, or an array of them: each in [0, below), or from 0 to any finite number. */
+  std::vector<double> Bands(double below = std::numeric_limits<double>::infinity()) const;
+
+  /** The elements of an array, with WHERE by name if they have one: `surfaces.floor`, else `surfaces[0]`. */
+  std::vector<JsonCursor> Items() const;
+  /** The members of an object. */
+  std::vector<std::pair<std::string, JsonCursor>> Members() const;
+  /** The member "name": unique is checked by the caller, usable as a file name is checked here. */
+  std::string Name() const;
+
+private:
+  const nlohmann::json* Json;
+  std::string Place;
+};
+}  // namespace kalos::scene
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** Notes that many things of a file share: counted, with the names of the first. */
+#ifndef KalosNoteCounter_h
+#define KalosNoteCounter_h
+
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "InputError.h"
+#include "Names.h"
+#include "Notes.h"
+
+namespace kalos::scene
+{
+class NoteCounter
+{
+public:
+  /** The counts are added to `notes` when the tally ends. */
+  explicit NoteCounter(Notes& notes) : Found(notes) {}
+  NoteCounter(const NoteCounter&) = delete;
+  void operator=(const NoteCounter&) = delete;
+  ~NoteCounter()
+  {
+    for (const auto& [what, whose] : this->Counted)
+    {
+      const auto& [subject, choice, reason] = what;
+      const std::string more = whose.first > 3 ? ", ..." : "";
+      this->Found.push_back(
+          {subject, choice, reason + " (" + std::to_string(whose.first) + ": " + whose.second + more + ")"});
+    }
+  }
+
+  void Count(const std::string& subject, const std::string& name, const std::string& choice, const std::string& reason)
+  {
+    auto& [count, names] = this->Counted[{subject, choice, reason}];
+    if (++count <= 3)
+    {
+      names += (count > 1 ? ", " : "") + AsUtf8(OneLine(name));
+    }
+  }
+
+private:
+  Notes& Found;
+  std::map<std::tuple<std::string, std::string, std::string>, std::pair<int, std::string>> Counted;
+};
+}  // namespace kalos::scene
+
+#endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** What a scene reader chose or approximated, in the manner of an audit: part of the audit of every solve. */
+#ifndef KalosNotes_h
+#define KalosNotes_h
+
+#include <string>
+#include <vector>
+
+namespace kalos::scene
+{
+struct Note
+{
+  std::string Subject;
+  std::string Choice;
+  std::string Reason;
+};
+
+using Notes = std::vector<Note>;
+}  // namespace kalos::scene
+
+#endif

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GltfFile.h"
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "../base/FilePaths.h"
+#include "../base/InputError.h"
+
+namespace kalos::scene
+{
+namespace
+{
+constexpr std::uintmax_t MaximumFileBytes = std::uintmax_t{1} << 31;
+
+std::string ReadFile(const std::string& path, const std::string& where)
+{
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+  {
+    throw InputError(where, "no file " + path + "; expected it there");
+  }
+  if (std::filesystem::file_size(path, error) > MaximumFileBytes)
+  {
+    throw InputError(where, "larger than 2 GiB; expected a smaller file");
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file)
+  {
+    throw InputError(where, path + " cannot be read; expected a readable file");
+  }
+  return content;
+}
+
+std::uint32_t Word(const std::string& content, std::size_t at)
+{
+  std::uint32_t word = 0;
+  for (int i = 3; i >= 0; --i)
+  {
+    word = word << 8 | static_cast<unsigned char>(content[at + i]);
+  }
+  return word;
+}
+
+int Sextet(unsigned char c)
+{
+  static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const char* found = c ? std::strchr(digits, c) : nullptr;
+  return found ? static_cast<int>(found - digits) : -1;
+}
+
+/** The content of `data:TYPE;base64,TEXT`. */
+std::string DecodeBase64(const JsonCursor& uri, const std::string& text, std::size_t begin)
+{
+  std::string bytes;
+  unsigned int bits = 0;
+  int count = 0;
+  for (std::size_t i = begin; i < text.size() && text[i] != '='; ++i)
+  {
+    const int digit = Sextet(static_cast<unsigned char>(text[i]));
+    if (digit < 0)
+    {
+      uri.Fail("a character that is not of base64; expected letters, digits, + and /");
+    }
+    bits = (bits << 6 | static_cast<unsigned int>(digit)) & 0xFFFFU;
+    count += 6;
+    if (count >= 8)
+    {
+      count -= 8;
+      bytes.push_back(static_cast<char>(bits >> count & 0xFFU));
+    }
+  }
+  return bytes;
+}
+
+std::string DecodePercent(const std::string& text)
+{
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const bool escape = text[i] == '%' && i + 2 < text.size() &&
+                        std::isxdigit(static_cast<unsigned char>(text[i + 1])) &&
+                        std::isxdigit(static_cast<unsigned char>(text[i + 2]));
+    decoded.push_back(escape ? static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16)) : text[i]);
+    i += escape ? 2 : 0;
+  }
+  return decoded;
+}
+
+/** What Kalos knows or may pass over; files that require anything else can not be read. */
+const std::set<std::string> KnownExtensions = {"KHR_lights_punctual",        "KHR_materials_emissive_strength",
+                                               "KHR_mesh_quantization",      "EXT_mesh_gpu_instancing",
+                                               "KHR_materials_unlit",        "KHR_texture_transform",
+                                               "KHR_materials_ior",          "KHR_materials_specular",
+                                               "KHR_materials_clearcoat",    "KHR_materials_sheen",
+                                               "KHR_materials_transmission", "KHR_materials_volume",
+                                               "KHR_materials_iridescence",  "KHR_materials_anisotropy",
+                                               "KHR_materials_variants"};
+}  // namespace
+
+GltfFile::GltfFile(const std::string& path, Notes& notes) : Path(path), FileNotes(notes)
+{
+  std::string content = ReadFile(path, "file");
+  if (content.compare(0, 4, "glTF") != 0)
+  {
+    this->Json = ParseJson(content);
+  }
+  else
+  {
+    this->Content = std::move(content);
+    const std::size_t size = this->Content.size();
+    if (size < 20 || Word(this->Content, 4) != 2)
+    {
+      throw InputError("header", "no glTF binary of version 2; expected one");
+    }
+    if (Word(this->Content, 8) > size)
+    {
+      throw InputError("header", "a file of " + std::to_string(size) + " bytes that says it has " +
+                                     std::to_string(Word(this->Content, 8)) + "; expected a complete file");
+    }
+    const std::size_t text = Word(this->Content, 12);
+    if (Word(this->Content, 16) != 0x4E4F534AU || text > size - 20)
+    {
+      throw InputError("header", "the first chunk is no JSON, or not complete; expected JSON");
+    }
+    this->Json = ParseJson(this->Content.substr(20, text));
+    const std::size_t next = 20 + text;
+    if (size - next >= 8 && Word(this->Content, next + 4) == 0x004E4942U)
+    {
+      this->Chunk = {reinterpret_cast<const unsigned char*>(this->Content.data()) + next + 8,
+                     Word(this->Content, next)};
+      if (this->Chunk.Size > size - next - 8)
+      {
+        throw InputError("header", "the binary chunk is not complete; expected " + std::to_string(this->Chunk.Size) +
+                                       " bytes, found " + std::to_string(size - next - 8));
+      }
+      this->HasChunk = true;
+    }
+  }
+  const JsonCursor version = this->Root().At("asset").At("version");
+  if (version.String().compare(0, 2, "2.") != 0)
+  {
+    version.FailExpected("\"2.0\"");
+  }
+  const auto required = this->Root().Find("extensionsRequired");
+  for (const JsonCursor& extension : required ? required->Items() : std::vector<JsonCursor>())
+  {
+    if (KnownExtensions.count(extension.String()) == 0)
+    {
+      extension.FailExpected("a file without compression and extensions that Kalos does not know");
+    }
+  }
+}
+
+const std::vector<JsonCursor>& GltfFile::Section(const std::string& name) const
+{
+  const auto known = this->Sections.find(name);
+  if (known != this->Sections.end())
+  {
+    return known->second;
+  }
+  const auto section = this->Root().Find(name.c_str());
+  std::vector<JsonCursor> items = section ? section->Items() : std::vector<JsonCursor>();
+  for (const JsonCursor& item : items)
+  {
+    item.Members();  // be an object
+  }
+  return this->Sections[name] = std::move(items);
+}
+
+std::size_t GltfFile::Index(const JsonCursor& number, const std::string& section) const
+{
+  const std::size_t count = this->Section(section).size();
+  const std::size_t index = WholeNumber(number);
+  if (index >= count)
+  {
+    number.FailExpected("the number of one of " + std::to_string(count) + " " + section + ", counted from 0");
+  }
+  return index;
+}
+
+const JsonCursor& GltfFile::Element(const JsonCursor& number, const std::string& section) const
+{
+  return this->Section(section)[this->Index(number, section)];
+}
+
+const std::string& GltfFile::Resolve(const JsonCursor& uri) const
+{
+  const std::string text = uri.String();
+  const auto known = this->Loaded.find(text);
+  if (known != this->Loaded.end())
+  {
+    return known->second;
+  }
+  std::string content;
+  if (text.compare(0, 5, "data:") == 0)
+  {
+    const std::size_t comma = text.find(";base64,");
+    if (comma == std::string::npos || comma > 200)
+    {
+      uri.Fail("a data URI that is not base64; expected data:TYPE;base64,...");
+    }
+    content = DecodeBase64(uri, text, comma + 8);
+  }
+  else
+  {
+    const std::string folder = std::filesystem::path(this->Path).parent_path().string();
+    content = ReadFile(ResolvePath(folder, DecodePercent(text), this->FileNotes), uri.Where());
+  }
+  return this->Loaded[text] = std::move(content);
+}
+
+Bytes GltfFile::Buffer(std::size_t index) const
+{
+  const JsonCursor& buffer = this->Section("buffers")[index];
+  const std::size_t length = WholeNumber(buffer.At("byteLength"));
+  Bytes bytes = this->Chunk;
+  if (const auto uri = buffer.Find("uri"))
+  {
+    const std::string& content = this->Resolve(*uri);
+    bytes = {reinterpret_cast<const unsigned char*>(content.data()), content.size()};
+  }
+  else if (index != 0 || !this->HasChunk)
+  {
+    buffer.Fail("neither a \"uri\" nor the binary chunk of a .glb; expected one of them");
+  }
+  if (bytes.Size < length)
+  {
+    buffer.Fail(std::to_string(bytes.Size) + " bytes; expected " + std::to_string(length));
+  }
+  return {bytes.Data, length};
+}
+
+Bytes GltfFile::View(const JsonCursor& view) const
+{
+  const Bytes buffer = this->Buffer(this->Index(view.At("buffer"), "buffers"));
+  const auto offset = view.Find("byteOffset");
+  const std::size_t begin = offset ? WholeNumber(*offset) : 0;
+  const std::size_t length = WholeNumber(view.At("byteLength"));
+  if (begin > buffer.Size || length > buffer.Size - begin)
+  {
+    view.Fail("ends at byte " + std::to_string(begin + length) + " of a buffer of " + std::to_string(buffer.Size) +
+              "; expected a view inside");
+  }
+  return {buffer.Data + begin, length};
+}
+
+Bytes GltfFile::Image(const JsonCursor& image) const
+{
+  if (const auto view = image.Find("bufferView"))
+  {
+    return this->View(this->Element(*view, "bufferViews"));
+  }
+  const std::string& content = this->Resolve(image.At("uri"));
+  return {reinterpret_cast<const unsigned char*>(content.data()), content.size()};
+}
+
+std::size_t WholeNumber(const JsonCursor& number)
+{
+  const double value = number.NumberAtLeast(0.0);
+  if (value != std::floor(value) || value > 9007199254740992.0)
+  {
+    number.FailExpected("a whole number");
+  }
+  return static_cast<std::size_t>(value);
+}
+}  // namespace kalos::scene

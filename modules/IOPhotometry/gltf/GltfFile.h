@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A glTF 2.0 file, .gltf or .glb: its JSON, its buffers, and references between its parts. Own code, as VTK's loader
+ * crashes on files that break the rules; here every reference is checked, and an error names the place in the JSON.
+ */
+#ifndef KalosGltfFile_h
+#define KalosGltfFile_h
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "../base/JsonCursor.h"
+#include "../base/Notes.h"
+
+namespace kalos::scene
+{
+/** Bytes inside a buffer of the file; valid as long as the file is. */
+struct Bytes
+{
+  const unsigned char* Data = nullptr;
+  std::size_t Size = 0;
+};
+
+class GltfFile
+{
+public:
+  /** Read the file at `path`; throws InputError. Buffers are read when they are needed; `notes` gets
+   * base/FilePaths.h's. */
+  GltfFile(const std::string& path, Notes& notes);
+  GltfFile(const GltfFile&) = delete;
+  void operator=(const GltfFile&) = delete;
+
+  JsonCursor Root() const { return JsonCursor(this->Json, "scene"); }
+  /** The elements of a top-level array, such as "nodes"; none if it is absent. */
+  const std::vector<JsonCursor>& Section(const std::string& name) const;
+  /** The index that `number` holds, of an element of a section. */
+  std::size_t Index(const JsonCursor& number, const std::string& section) const;
+  const JsonCursor& Element(const JsonCursor& number, const std::string& section) const;
+
+  /** The bytes of a buffer view. */
+  Bytes View(const JsonCursor& view) const;
+  /** The bytes that "uri" or "bufferView" of an image name. */
+  Bytes Image(const JsonCursor& image) const;
+
+private:
+  const std::string& Resolve(const JsonCursor& uri) const;
+  Bytes Buffer(std::size_t index) const;
+
+  std::string Path;
+  Notes& FileNotes;
+  std::string Content;  ///< of the whole file, if it is a .glb
+  Bytes Chunk;          ///< the binary chunk of a .glb
+  bool HasChunk = false;
+  nlohmann::json Json;
+  mutable std::map<std::string, std::vector<JsonCursor>> Sections;
+  mutable std::map<std::string, std::string> Loaded;  ///< by uri
+};
+
+/** A whole number from 0 to 2^53. */
+std::size_t WholeNumber(const JsonCursor& number);
+}  // namespace kalos::scene
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** The meshes of a glTF as polygons. */
+#ifndef KalosGltfMeshes_h
+#define KalosGltfMeshes_h
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "../base/NoteCounter.h"
+#include "../base/Notes.h"
+#include "../mesh/Transform.h"
+#include "GltfFile.h"
+
+namespace kalos::scene
+{
+constexpr std::size_t MaximumTriangles = 10000000;  ///< of a mesh, and over all instances; with three points for each
+
+/** Triangles of one mesh in its own coordinates; MaterialOf counts the file's materials, -1 for none. */
+struct GltfMesh
+{
+  std::vector<Vector3> Points;
+  std::vector<std::array<std::uint32_t, 3>> Triangles;
+  std::vector<std::int32_t> MaterialOf;
+};
+
+class GltfMeshes
+{
+public:
+  GltfMeshes(const GltfFile& file, Notes& notes) : File(file), Found(notes) {}
+
+  /** The mesh that `number` names, read once. */
+  const GltfMesh& Read(const JsonCursor& number);
+
+private:
+  void ReadPrimitive(const JsonCursor& primitive, const std::string& name, GltfMesh& mesh);
+
+  const GltfFile& File;
+  NoteCounter Found;
+  std::map<std::size_t, GltfMesh> Known;
+};
+
+/** The map of a node: its matrix, or translation, rotation and scale. */
+Transform ReadNodeTransform(const JsonCursor& node);
+
+/** The places of EXT_mesh_gpu_instancing relative to the node; one that changes nothing if the node has none. */
+std::vector<Transform> ReadInstances(const GltfFile& file, const JsonCursor& node);
+}  // namespace kalos::scene
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** From the metallic-roughness model of glTF 2.0 to Kalos's materials. */
+#ifndef KalosMetallicRoughness_h
+#define KalosMetallicRoughness_h
+
+#include <array>
+
+#include "Material.h"
+
+namespace kalos::scene
+{
+struct MetallicRoughness
+{
+  std::array<double, 3> BaseColor{1.0, 1.0, 1.0};  ///< linear Rec. 709, [0,1]
+  double Metallic = 1.0;                           ///< [0,1]
+  double Roughness = 1.0;                          ///< [0,1]
+  std::array<double, 3> Luminance{};               ///< emitted, cd/m² per band
+};
+
+/** Total reflectance at normal incidence that no model may exceed; the best of white paints stay below. */
+constexpr double MaximumReflectance = 0.95;
+
+/** Roughness from which on the 4 % that a dielectric's surface reflects count as part of its diffuse reflectance. */
+constexpr double RoughSurface = 0.5;
+
+/** What a conversion had to change. */
+struct MaterialChanges
+{
+  bool Limited = false;          ///< reflected more than MaximumReflectance
+  bool NeutralMetal = false;     ///< a coloured metal, whose lobe is neutral here
+  bool RoughDielectric = false;  ///< see RoughSurface
+};
+
+/**
+ * Diffuse reflectance (1 - metallic) base colour; a lobe of normal-incidence reflectance F0 = 0.04 (1 - metallic) +
+ * metallic Y(base colour) of the same roughness, or below roughness 0.02 a perfect mirror; exitance pi L. One band if
+ * all colours are neutral.
+ */
+Material ConvertMaterial(const MetallicRoughness& source, MaterialChanges& changes);
+
+/** Luminance of a linear Rec. 709 colour. */
+double LuminanceOf(const std::array<double, 3>& color);
+/** The components as bands, or one of them if they are equal. */
+std::vector<double> BandsOf(const std::array<double, 3>& color);
+/** Scale reflectance, specular and mirror so that their sum is within MaximumReflectance; whether that was needed. */
+bool LimitReflectance(Material& material);
+}  // namespace kalos::scene
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** OBJ, PLY, STL and VTP surfaces. */
+#ifndef KalosMeshFile_h
+#define KalosMeshFile_h
+
+#include <string>
+
+#include "../base/JsonCursor.h"
+#include "../base/Notes.h"
+#include "Mesh.h"
+
+namespace kalos::scene
+{
+/**
+ * Read and check the mesh at `path`; `place` is the scene file's value that names it.
+ *
+ * Material of a polygon, first that applies: the one that the OBJ's usemtl names in `materials` or in a library of the
+ * file; `fallback`, if given; the VTP's own cell arrays (Reflectance, Exitance, Specular, Roughness, Mirror). None of
+ * them is an error.
+ */
+Mesh ReadMeshFile(const JsonCursor& place, const std::string& path, const Materials& materials,
+                  const Material* fallback, Notes& notes);
+}  // namespace kalos::scene
+
+#endif
