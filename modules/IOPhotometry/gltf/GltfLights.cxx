@@ -16,12 +16,12 @@ constexpr double UsualAspect = 4.0 / 3.0;
 
 Vector3 UnitDirection(const JsonCursor& node, const Vector3& direction)
 {
-  const double length = Norm(direction);
+  const double length = norm(direction);
   if (!(length > 0.0 && std::isfinite(length)))
   {
     node.Fail("a light or camera whose transform leaves it no direction; expected a scale that is not 0");
   }
-  return Scale(1.0 / length, direction);
+  return 1.0 / length * direction;
 }
 
 double Luminance(const JsonCursor& light)
@@ -93,7 +93,7 @@ std::optional<ModelLight> ReadGltfLight(const GltfFile& file, const JsonCursor& 
   const double luminance = Luminance(light);
   result.Strength = luminance * (intensity ? intensity->NumberAtLeast(0.0) : 1.0);
   result.Position = world.Origin;
-  result.Aim = UnitDirection(node, Scale(-1.0, world.Axes[2]));
+  result.Aim = UnitDirection(node, -1.0 * world.Axes[2]);
   const JsonCursor type = light.At("type");
   if (type.String() == "spot")
   {
@@ -139,7 +139,7 @@ std::optional<Camera> ReadGltfCamera(const GltfFile& file, const JsonCursor& nod
   Camera camera;
   camera.Name = name;
   camera.Position = world.Origin;
-  camera.Target = Add(world.Origin, UnitDirection(node, Scale(-1.0, world.Axes[2])));
+  camera.Target = world.Origin + UnitDirection(node, -1.0 * world.Axes[2]);
   camera.Up = UnitDirection(node, world.Axes[1]);
   camera.FieldOfView = angle.NumberAbove(0.0) * 180.0 / Pi;
   if (!(camera.FieldOfView < 180.0))

@@ -48,9 +48,9 @@ Transform FromParts(const Vector3& translation, const std::array<double, 4>& q, 
   const double s = length > 0.0 ? 2.0 / length : 0.0;
   const double x = q[0], y = q[1], z = q[2], w = q[3];
   Transform map;
-  map.Axes[0] = Scale(scale[0], {1.0 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w)});
-  map.Axes[1] = Scale(scale[1], {s * (x * y - z * w), 1.0 - s * (x * x + z * z), s * (y * z + x * w)});
-  map.Axes[2] = Scale(scale[2], {s * (x * z + y * w), s * (y * z - x * w), 1.0 - s * (x * x + y * y)});
+  map.Axes[0] = scale[0] * Vector3{1.0 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w)};
+  map.Axes[1] = scale[1] * Vector3{s * (x * y - z * w), 1.0 - s * (x * x + z * z), s * (y * z + x * w)};
+  map.Axes[2] = scale[2] * Vector3{s * (x * z + y * w), s * (y * z - x * w), 1.0 - s * (x * x + y * y)};
   map.Origin = translation;
   return map;
 }

@@ -34,9 +34,9 @@ Vector3 Mesh::Area(std::size_t polygon) const
   Vector3 area{};
   for (std::int64_t i = begin + 1; i + 1 < this->Ends[polygon]; ++i)
   {
-    const Vector3 a = Subtract(this->Points[this->Corners[i]], apex);
-    const Vector3 b = Subtract(this->Points[this->Corners[i + 1]], apex);
-    area = Add(area, Scale(0.5, Cross(a, b)));
+    const Vector3 a = this->Points[this->Corners[i]] - apex;
+    const Vector3 b = this->Points[this->Corners[i + 1]] - apex;
+    area = area + 0.5 * cross(a, b);
   }
   return area;
 }
@@ -48,10 +48,10 @@ bool Mesh::HasArea(std::size_t polygon) const
   for (std::int64_t i = begin; i < end; ++i)
   {
     const std::int64_t next = this->Corners[i + 1 == end ? begin : i + 1];
-    perimeter += Norm(Subtract(this->Points[next], this->Points[this->Corners[i]]));
+    perimeter += norm(this->Points[next] - this->Points[this->Corners[i]]);
   }
   // Relative, so that a millimetre part and a stadium are judged alike.
-  return Norm(this->Area(polygon)) > 1e-13 * perimeter * perimeter;
+  return norm(this->Area(polygon)) > 1e-13 * perimeter * perimeter;
 }
 
 void Mesh::TakeMaterials(const std::vector<Material>& all)
@@ -120,7 +120,7 @@ void Mesh::Check(const std::string& file, const char* face) const
 Mesh MakeQuad(const Vector3& origin, const Vector3& u, const Vector3& v)
 {
   Mesh mesh;
-  mesh.Points = {origin, Add(origin, u), Add(Add(origin, u), v), Add(origin, v)};
+  mesh.Points = {origin, origin + u, origin + u + v, origin + v};
   mesh.AddPolygon({0, 1, 2, 3}, -1);
   return mesh;
 }
@@ -135,7 +135,7 @@ Mesh MakeBox(const Vector3& center, const Vector3& size, double rotationZDegrees
     const double x = ((corner & 1) ? 0.5 : -0.5) * size[0];
     const double y = ((corner & 2) ? 0.5 : -0.5) * size[1];
     const double z = ((corner & 4) ? 0.5 : -0.5) * size[2];
-    mesh.Points.push_back(Add(center, {c * x - s * y, s * x + c * y, z}));
+    mesh.Points.push_back(center + Vector3{c * x - s * y, s * x + c * y, z});
   }
   // Bottom, top, front (-y), back, left (-x), right; anti-clockwise seen from outside.
   for (const auto& face :

@@ -16,9 +16,9 @@ struct Transform
 
   Vector3 Direction(const Vector3& d) const
   {
-    return Add(Add(Scale(d[0], this->Axes[0]), Scale(d[1], this->Axes[1])), Scale(d[2], this->Axes[2]));
+    return d[0] * this->Axes[0] + d[1] * this->Axes[1] + d[2] * this->Axes[2];
   }
-  Vector3 Point(const Vector3& p) const { return Add(this->Origin, this->Direction(p)); }
+  Vector3 Point(const Vector3& p) const { return this->Origin + this->Direction(p); }
   /** This map after `inner`. */
   Transform operator*(const Transform& inner) const
   {
@@ -31,7 +31,7 @@ struct Transform
     return product;
   }
   /** Whether it turns right hands into left ones, and so the corners of a polygon over. */
-  bool Mirrors() const { return Dot(Cross(this->Axes[0], this->Axes[1]), this->Axes[2]) < 0.0; }
+  bool Mirrors() const { return dot(cross(this->Axes[0], this->Axes[1]), this->Axes[2]) < 0.0; }
 };
 }  // namespace kalos::scene
 

@@ -59,7 +59,7 @@ void MakeParallel(const ModelLight& light, const Ball& scene, vtkKalosLuminaireS
   const double distance = ParallelDistance * scene.Radius;
   const double edge = std::asin(1.0 / ParallelDistance) * 180.0 / Pi;
   const double intensity = light.Strength * distance * distance;
-  source->SetPosition(Subtract(scene.Center, Scale(distance, light.Aim)).data());
+  source->SetPosition((scene.Center - distance * light.Aim).data());
   SetRoundBeam(source, {0.0, edge}, {intensity, intensity});
 }
 }  // namespace

@@ -29,8 +29,8 @@ Sight ReadSight(const JsonCursor& node)
   Sight sight;
   sight.Position = node.At("position").Vector();
   sight.Target = node.At("target").Vector();
-  const Vector3 view = Subtract(sight.Target, sight.Position);
-  if (Norm(view) == 0.0)
+  const Vector3 view = sight.Target - sight.Position;
+  if (norm(view) == 0.0)
   {
     node.At("target").Fail("the target is the position; expected another point");
   }
@@ -38,7 +38,7 @@ Sight ReadSight(const JsonCursor& node)
   {
     sight.Up = up->NonZeroVector();
   }
-  if (!(Norm(Cross(view, sight.Up)) > 1e-9 * Norm(view) * Norm(sight.Up)))
+  if (!(norm(cross(view, sight.Up)) > 1e-9 * norm(view) * norm(sight.Up)))
   {
     node.Fail("\"up\" ([0, 0, 1] if absent) is parallel to the view; expected another direction");
   }

@@ -44,7 +44,7 @@ std::array<int, 2> ReadGrid(const JsonCursor& plane)
   {
     spacing->FailExpected("\"EN 12464-1\"");
   }
-  const auto cells = StandardGrid(Norm(plane.At("u").Vector()), Norm(plane.At("v").Vector()));
+  const auto cells = StandardGrid(norm(plane.At("u").Vector()), norm(plane.At("v").Vector()));
   if (!cells)
   {
     plane.Fail("too long or too narrow for the grid of EN 12464-1; expected a \"resolution\"");
@@ -117,7 +117,7 @@ vtkSmartPointer<vtkPolyData> ReadObserver(const JsonCursor& receiver)
   observer->SetPoints(points);
   observer->AllocateExact(1, 1);
   observer->InsertNextCell(VTK_VERTEX, 1, &id);
-  const Vector3 view = Subtract(sight.Target, sight.Position);
+  const Vector3 view = sight.Target - sight.Position;
   const auto vector = [](const char* name, const Vector3& v) {
     auto array = vtkSmartPointer<vtkDoubleArray>::New();
     array->SetName(name);
@@ -125,7 +125,7 @@ vtkSmartPointer<vtkPolyData> ReadObserver(const JsonCursor& receiver)
     array->InsertNextTuple(v.data());
     return array;
   };
-  observer->GetPointData()->SetNormals(vector("Normals", Scale(1.0 / Norm(view), view)));
+  observer->GetPointData()->SetNormals(vector("Normals", 1.0 / norm(view) * view));
   observer->GetPointData()->AddArray(vector(vtkKalosArrayNames::ObserverUp, sight.Up));
   return observer;
 }

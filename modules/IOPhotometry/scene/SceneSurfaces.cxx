@@ -28,8 +28,8 @@ Mesh ReadQuad(const JsonCursor& node)
   node.CheckKeys({"origin", "u", "v"});
   const Mesh quad = MakeQuad(node.At("origin").Vector(), node.At("u").Vector(), node.At("v").Vector());
   // The mesh check names a face; here the quad itself is the better place.
-  const double sides = Norm(node.At("u").Vector()) * Norm(node.At("v").Vector());
-  if (!(Norm(quad.Area(0)) > 1e-12 * sides))
+  const double sides = norm(node.At("u").Vector()) * norm(node.At("v").Vector());
+  if (!(norm(quad.Area(0)) > 1e-12 * sides))
   {
     node.Fail("no area; expected u and v that are neither zero nor parallel");
   }

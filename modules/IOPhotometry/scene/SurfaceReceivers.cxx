@@ -47,7 +47,7 @@ std::vector<Triangle> Triangulate(const Mesh& mesh, std::size_t polygon)
   {
     Triangle t{corner(ids->GetId(i)), corner(ids->GetId(i + 1)), corner(ids->GetId(i + 2))};
     // Ear cutting does not promise the polygon's own winding.
-    if (Dot(Cross(Subtract(t[1], t[0]), Subtract(t[2], t[0])), normal) < 0.0)
+    if (dot(cross(t[1] - t[0], t[2] - t[0]), normal) < 0.0)
     {
       std::swap(t[1], t[2]);
     }
@@ -62,7 +62,7 @@ std::pair<int, double> LongestEdge(const Triangle& t)
   std::pair<int, double> longest{0, 0.0};
   for (int i = 0; i < 3; ++i)
   {
-    const double length = Norm(Subtract(t[(i + 2) % 3], t[(i + 1) % 3]));
+    const double length = norm(t[(i + 2) % 3] - t[(i + 1) % 3]);
     if (length > longest.second)
     {
       longest = {i, length};
@@ -92,8 +92,8 @@ public:
     {
       FailTooMany(this->Most);
     }
-    const Vector3 area = Cross(Subtract(t[1], t[0]), Subtract(t[2], t[0]));
-    const Vector3 normal = Scale((flip ? -1.0 : 1.0) / Norm(area), area);
+    const Vector3 area = cross(t[1] - t[0], t[2] - t[0]);
+    const Vector3 normal = ((flip ? -1.0 : 1.0) / norm(area)) * area;
     vtkIdType ids[3];
     for (int i = 0; i < 3; ++i)
     {
@@ -126,7 +126,7 @@ vtkSmartPointer<vtkPolyData> MakeSurfaceReceivers(const Mesh& mesh, double edgeL
   double area = 0.0;
   for (std::size_t p = 0; p < mesh.NumberOfPolygons(); ++p)
   {
-    area += Norm(mesh.Area(p));
+    area += norm(mesh.Area(p));
   }
   if (area > 0.433 * edgeLength * edgeLength * static_cast<double>(most))
   {
@@ -150,7 +150,7 @@ vtkSmartPointer<vtkPolyData> MakeSurfaceReceivers(const Mesh& mesh, double edgeL
       const Vector3& a = t[apex];
       const Vector3& b = t[(apex + 1) % 3];
       const Vector3& c = t[(apex + 2) % 3];
-      const Vector3 middle = Scale(0.5, Add(b, c));
+      const Vector3 middle = 0.5 * (b + c);
       work.push_back({a, middle, c});
       work.push_back({a, b, middle});
       // A length below the coordinates' resolution would halve for ever.

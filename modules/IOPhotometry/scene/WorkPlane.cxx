@@ -45,14 +45,14 @@ std::optional<Patch> LargestLevel(const std::vector<Surface>& surfaces, double b
 {
   std::map<long long, Patch> levels;
   ForEachPolygon(surfaces, [&](const std::vector<Vector3>& corners, const Vector3& area) {
-    const double up = area[2] / Norm(area);
+    const double up = area[2] / norm(area);
     if (!((upOnly ? up : std::abs(up)) > Level) || corners[0][2] > below)
     {
       return;
     }
     Patch& patch = levels[std::llround(corners[0][2] / LevelThickness)];
     patch.Height = patch.Area > 0.0 ? std::max(patch.Height, corners[0][2]) : corners[0][2];
-    patch.Area += Norm(area);
+    patch.Area += norm(area);
     for (const Vector3& corner : corners)
     {
       for (int i = 0; i < 2; ++i)
