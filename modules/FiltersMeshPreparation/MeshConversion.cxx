@@ -34,7 +34,7 @@ namespace
 using meshing::Point;
 using meshing::TriangleMesh;
 
-void AddTriangle(TriangleMesh& mesh, vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell)
+void addTriangle(TriangleMesh& mesh, vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell)
 {
   mesh.triangles.push_back(
       {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
@@ -42,7 +42,7 @@ void AddTriangle(TriangleMesh& mesh, vtkIdType a, vtkIdType b, vtkIdType c, vtkI
 }
 
 /** Whether a fan from the first corner covers the polygon. */
-bool IsConvex(const TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids)
+bool isConvex(const TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids)
 {
   const Point& first = mesh.points[ids[0]];
   Point normal{0, 0, 0};
@@ -64,10 +64,10 @@ bool IsConvex(const TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids)
 }
 
 /** Returns false if the polygon had to be cut into a fan. */
-bool AddPolygon(TriangleMesh& mesh, vtkPoints* points, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
+bool addPolygon(TriangleMesh& mesh, vtkPoints* points, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
 {
   bool proper = true;
-  if (size > 3 && !IsConvex(mesh, size, ids))
+  if (size > 3 && !isConvex(mesh, size, ids))
   {
     vtkNew<vtkPolygon> polygon;
     polygon->Initialize(static_cast<int>(size), ids, points);
@@ -76,7 +76,7 @@ bool AddPolygon(TriangleMesh& mesh, vtkPoints* points, vtkIdType size, const vtk
     {
       for (vtkIdType i = 0; i + 2 < triangles->GetNumberOfIds(); i += 3)
       {
-        AddTriangle(mesh, ids[triangles->GetId(i)], ids[triangles->GetId(i + 1)], ids[triangles->GetId(i + 2)], cell);
+        addTriangle(mesh, ids[triangles->GetId(i)], ids[triangles->GetId(i + 1)], ids[triangles->GetId(i + 2)], cell);
       }
       return true;
     }
@@ -84,21 +84,21 @@ bool AddPolygon(TriangleMesh& mesh, vtkPoints* points, vtkIdType size, const vtk
   }
   for (vtkIdType i = 1; i + 1 < size; ++i)
   {
-    AddTriangle(mesh, ids[0], ids[i], ids[i + 1], cell);
+    addTriangle(mesh, ids[0], ids[i], ids[i + 1], cell);
   }
   return proper;
 }
 
-void AddStrip(TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
+void addStrip(TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
 {
   for (vtkIdType i = 0; i + 2 < size; ++i)
   {
     const vtkIdType odd = i % 2;
-    AddTriangle(mesh, ids[i + odd], ids[i + 1 - odd], ids[i + 2], cell);
+    addTriangle(mesh, ids[i + odd], ids[i + 1 - odd], ids[i + 2], cell);
   }
 }
 
-bool SaysWhatASurfaceIs(vtkAbstractArray* array)
+bool saysWhatASurfaceIs(vtkAbstractArray* array)
 {
   if (vtkStringArray::SafeDownCast(array))
   {
@@ -121,7 +121,7 @@ bool SaysWhatASurfaceIs(vtkAbstractArray* array)
 }
 
 /** A number per cell, the same for cells whose arrays agree. */
-std::vector<std::uint32_t> MaterialsOfCells(vtkPolyData* input)
+std::vector<std::uint32_t> materialsOfCells(vtkPolyData* input)
 {
   const auto cells = static_cast<std::size_t>(input->GetNumberOfCells());
   std::vector<std::uint32_t> material(cells, 0);
@@ -129,7 +129,7 @@ std::vector<std::uint32_t> MaterialsOfCells(vtkPolyData* input)
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = data->GetAbstractArray(a);
-    if (!SaysWhatASurfaceIs(array))
+    if (!saysWhatASurfaceIs(array))
     {
       continue;
     }
@@ -165,10 +165,10 @@ std::vector<std::uint32_t> MaterialsOfCells(vtkPolyData* input)
 }
 }  // namespace
 
-ConvertedMesh ConvertMesh(vtkPolyData* input)
+ConvertedMesh convertMesh(vtkPolyData* input)
 {
   ConvertedMesh result;
-  TriangleMesh& mesh = result.Mesh;
+  TriangleMesh& mesh = result.mesh;
   if (!input || !input->GetPoints() || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
     throw std::invalid_argument("the input has no polygons; expected a surface");
@@ -185,8 +185,8 @@ ConvertedMesh ConvertMesh(vtkPolyData* input)
   }
 
   // Cells are numbered vertices, lines, polygons, strips.
-  vtkIdType cell = result.Ignored = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  result.Polygons = input->GetNumberOfPolys() + input->GetNumberOfStrips();
+  vtkIdType cell = result.ignored = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  result.polygons = input->GetNumberOfPolys() + input->GetNumberOfStrips();
   vtkIdType size = 0;
   const vtkIdType* ids = nullptr;
   for (const bool strips : {false, true})
@@ -205,19 +205,19 @@ ConvertedMesh ConvertMesh(vtkPolyData* input)
       }
       if (size < 3)
       {
-        ++result.Degenerate;
+        ++result.degenerate;
       }
       else if (strips)
       {
-        AddStrip(mesh, size, ids, cell);
+        addStrip(mesh, size, ids, cell);
       }
-      else if (!AddPolygon(mesh, input->GetPoints(), size, ids, cell))
+      else if (!addPolygon(mesh, input->GetPoints(), size, ids, cell))
       {
-        result.Crossing.push_back(cell);
+        result.crossing.push_back(cell);
       }
     }
   }
-  const std::vector<std::uint32_t> material = MaterialsOfCells(input);
+  const std::vector<std::uint32_t> material = materialsOfCells(input);
   mesh.material.reserve(mesh.origin.size());
   for (const std::uint32_t origin : mesh.origin)
   {
@@ -227,7 +227,7 @@ ConvertedMesh ConvertMesh(vtkPolyData* input)
   return result;
 }
 
-void FillPolyData(const TriangleMesh& mesh, vtkPolyData* input, vtkPolyData* output)
+void fillPolyData(const TriangleMesh& mesh, vtkPolyData* input, vtkPolyData* output)
 {
   output->Initialize();
   vtkNew<vtkPoints> points;
@@ -261,7 +261,7 @@ void FillPolyData(const TriangleMesh& mesh, vtkPolyData* input, vtkPolyData* out
   output->GetFieldData()->PassData(input->GetFieldData());
 }
 
-meshing::Progress ProgressOf(vtkAlgorithm* algorithm, double seconds)
+meshing::Progress progressOf(vtkAlgorithm* algorithm, double seconds)
 {
   using Clock = std::chrono::steady_clock;
   return [algorithm, seconds, start = Clock::now()](double share) {
@@ -277,7 +277,7 @@ meshing::Progress ProgressOf(vtkAlgorithm* algorithm, double seconds)
   };
 }
 
-void CheckTimeLimit(double seconds)
+void checkTimeLimit(double seconds)
 {
   if (!(seconds >= 0.0 && std::isfinite(seconds)))
   {
@@ -285,7 +285,7 @@ void CheckTimeLimit(double seconds)
   }
 }
 
-int Guarded(vtkAlgorithm* algorithm, std::initializer_list<vtkDataObject*> outputs, const std::function<void()>& work)
+int guarded(vtkAlgorithm* algorithm, std::initializer_list<vtkDataObject*> outputs, const std::function<void()>& work)
 {
   std::string message;
   try

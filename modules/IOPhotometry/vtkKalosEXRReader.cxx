@@ -32,11 +32,11 @@ using Problem = std::invalid_argument;
 
 struct Size
 {
-  int Width;
-  int Height;
+  int width;
+  int height;
 };
 
-void CheckFile(const char* path)
+void checkFile(const char* path)
 {
   std::error_code ignored;
   if (!path || !*path)
@@ -52,14 +52,14 @@ void CheckFile(const char* path)
     throw Problem("file: not an OpenEXR image; expected one");
   }
   const std::string problem =
-      kalos::CheckExrHeader(path, static_cast<double>(vtkKalosEXRReader::MaximumNumberOfPixels()));
+      kalos::checkExrHeader(path, static_cast<double>(vtkKalosEXRReader::MaximumNumberOfPixels()));
   if (!problem.empty())
   {
     throw Problem("header: " + problem);
   }
 }
 
-Size SizeOf(const Imf::Header& header)
+Size sizeOf(const Imf::Header& header)
 {
   const Imath::Box2i& window = header.dataWindow();
   const double width = static_cast<double>(window.max.x) - window.min.x + 1.0;
@@ -73,22 +73,22 @@ Size SizeOf(const Imf::Header& header)
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
-bool HasChannel(const Imf::Header& header, const char* name)
+bool hasChannel(const Imf::Header& header, const char* name)
 {
   const Imf::Channel* channel = header.channels().findChannel(name);
   return channel && channel->xSampling == 1 && channel->ySampling == 1;
 }
 
 /** The named channels as one array, bottom row first. */
-vtkSmartPointer<vtkFloatArray> ReadArray(Imf::InputFile& file, const char* arrayName,
+vtkSmartPointer<vtkFloatArray> readArray(Imf::InputFile& file, const char* arrayName,
                                          const std::vector<const char*>& channels)
 {
-  const Size size = SizeOf(file.header());
+  const Size size = sizeOf(file.header());
   const Imath::Box2i& window = file.header().dataWindow();
   const auto components = static_cast<int>(channels.size());
   const std::size_t pixel = sizeof(float) * components;
-  const std::size_t row = pixel * size.Width;
-  std::vector<char> buffer(row * size.Height);
+  const std::size_t row = pixel * size.width;
+  std::vector<char> buffer(row * size.height);
 
   // OpenEXR addresses pixel (x, y) at base + x * pixel + y * row; the window need not start at 0.
   const auto shift = static_cast<std::ptrdiff_t>(window.min.x) * static_cast<std::ptrdiff_t>(pixel) +
@@ -104,16 +104,16 @@ vtkSmartPointer<vtkFloatArray> ReadArray(Imf::InputFile& file, const char* array
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName(arrayName);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(size.Width) * size.Height);
-  for (int y = 0; y < size.Height; ++y)
+  array->SetNumberOfTuples(static_cast<vtkIdType>(size.width) * size.height);
+  for (int y = 0; y < size.height; ++y)
   {
-    const char* from = buffer.data() + row * (size.Height - 1 - y);
+    const char* from = buffer.data() + row * (size.height - 1 - y);
     std::copy(from, from + row, reinterpret_cast<char*>(array->GetPointer(0)) + row * y);
   }
   return array;
 }
 
-void Multiply(vtkFloatArray* array, float factor)
+void multiply(vtkFloatArray* array, float factor)
 {
   for (vtkIdType i = 0; factor != 1.0F && i < array->GetNumberOfValues(); ++i)
   {
@@ -121,7 +121,7 @@ void Multiply(vtkFloatArray* array, float factor)
   }
 }
 
-vtkSmartPointer<vtkFloatArray> LuminanceOf(vtkFloatArray* bands)
+vtkSmartPointer<vtkFloatArray> luminanceOf(vtkFloatArray* bands)
 {
   auto luminance = vtkSmartPointer<vtkFloatArray>::New();
   luminance->SetName(vtkKalosArrayNames::Luminance);
@@ -134,15 +134,15 @@ vtkSmartPointer<vtkFloatArray> LuminanceOf(vtkFloatArray* bands)
   return luminance;
 }
 
-vtkSmartPointer<vtkImageData> ReadImage(const char* path)
+vtkSmartPointer<vtkImageData> readImage(const char* path)
 {
   using namespace vtkKalosArrayNames;
-  CheckFile(path);
+  checkFile(path);
   Imf::InputFile file(path);
   const Imf::Header& header = file.header();
-  const Size size = SizeOf(header);
-  const bool rgb = HasChannel(header, "R") && HasChannel(header, "G") && HasChannel(header, "B");
-  if (!rgb && !HasChannel(header, "Y"))
+  const Size size = sizeOf(header);
+  const bool rgb = hasChannel(header, "R") && hasChannel(header, "G") && hasChannel(header, "B");
+  if (!rgb && !hasChannel(header, "Y"))
   {
     throw Problem("header: no luminance; expected the channel Y, or R, G and B, at full resolution");
   }
@@ -153,23 +153,23 @@ vtkSmartPointer<vtkImageData> ReadImage(const char* path)
   }
 
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(size.Width, size.Height, 1);
+  image->SetDimensions(size.width, size.height, 1);
   vtkPointData* data = image->GetPointData();
   const auto add = [&](const char* name, const std::vector<const char*>& channels) {
-    auto array = ReadArray(file, name, channels);
-    Multiply(array, unit);
+    auto array = readArray(file, name, channels);
+    multiply(array, unit);
     data->AddArray(array);
     return array;
   };
   if (rgb)
   {
-    data->AddArray(LuminanceOf(add(LuminanceBands, {"R", "G", "B"})));
+    data->AddArray(luminanceOf(add(LuminanceBands, {"R", "G", "B"})));
   }
   else
   {
     add(Luminance, {"Y"});
   }
-  if (HasChannel(header, "Y.standardError"))
+  if (hasChannel(header, "Y.standardError"))
   {
     add(LuminanceStandardError, {"Y.standardError"});
   }
@@ -177,15 +177,15 @@ vtkSmartPointer<vtkImageData> ReadImage(const char* path)
   return image;
 }
 
-Size ReadSize(const char* path)
+Size readSize(const char* path)
 {
-  CheckFile(path);
-  return SizeOf(Imf::InputFile(path).header());
+  checkFile(path);
+  return sizeOf(Imf::InputFile(path).header());
 }
 
 /** Run a step of reading; false and one message if it fails. */
 template <typename Step>
-std::string Try(const char* path, Step step)
+std::string attempt(const char* path, Step step)
 {
   const std::string file = path && *path ? std::string(path) + ": " : "image: ";
   try
@@ -226,14 +226,14 @@ int vtkKalosEXRReader::CanReadFile(const char* path)
 int vtkKalosEXRReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   Size size{};
-  const std::string problem = Try(this->FileName, [&]() { size = ReadSize(this->FileName); });
+  const std::string problem = attempt(this->FileName, [&]() { size = readSize(this->FileName); });
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);
     return 0;
   }
   vtkInformation* info = outputVector->GetInformationObject(0);
-  const int extent[6] = {0, size.Width - 1, 0, size.Height - 1, 0, 0};
+  const int extent[6] = {0, size.width - 1, 0, size.height - 1, 0, 0};
   const double zero[3] = {0.0, 0.0, 0.0};
   const double one[3] = {1.0, 1.0, 1.0};
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
@@ -246,7 +246,7 @@ int vtkKalosEXRReader::RequestInformation(vtkInformation*, vtkInformationVector*
 int vtkKalosEXRReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkSmartPointer<vtkImageData> image;
-  const std::string problem = Try(this->FileName, [&]() { image = ReadImage(this->FileName); });
+  const std::string problem = attempt(this->FileName, [&]() { image = readImage(this->FileName); });
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);

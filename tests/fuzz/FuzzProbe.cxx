@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   const nlohmann::json name = "probe.csv";
   try
   {
-    const auto points = kalos::scene::ReadProbeFile(kalos::scene::JsonCursor(name, "points"), path, most);
+    const auto points = kalos::scene::readProbeFile(kalos::scene::JsonCursor(name, "points"), path, most);
     const vtkIdType count = points->GetNumberOfPoints();
     vtkDataArray* normals = points->GetPointData()->GetNormals();
     fuzz::require(count > 0 && count <= most && points->GetNumberOfVerts() == count &&

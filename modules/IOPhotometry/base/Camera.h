@@ -12,16 +12,16 @@ namespace kalos::scene
 {
 struct Sight
 {
-  Vector3 Position{};         ///< m
-  Vector3 Target{};           ///< m
-  Vector3 Up{0.0, 0.0, 1.0};  ///< any length
+  Vector3 position{};         ///< m
+  Vector3 target{};           ///< m
+  Vector3 up{0.0, 0.0, 1.0};  ///< any length
 };
 
 struct Camera : Sight
 {
-  std::string Name;
-  double FieldOfView = 45.0;        ///< vertical, degrees
-  std::array<int, 2> Resolution{};  ///< pixels, width and height
+  std::string name;
+  double fieldOfView = 45.0;        ///< vertical, degrees
+  std::array<int, 2> resolution{};  ///< pixels, width and height
 };
 }  // namespace kalos::scene
 

@@ -18,21 +18,21 @@ public:
   /** Warnings count as errors, or with `tolerant` are kept off the screen only. */
   explicit ErrorCatcher(vtkAlgorithm* algorithm, bool tolerant = false)
   {
-    this->Observer->Tolerant = tolerant;
+    this->Observer->tolerant = tolerant;
     algorithm->AddObserver(vtkCommand::ErrorEvent, this->Observer);
     algorithm->AddObserver(vtkCommand::WarningEvent, this->Observer);
     algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Observer);
   }
 
   /** For objects inside the algorithm that report errors of their own. */
-  vtkCommand* Command() const { return this->Observer.Get(); }
+  vtkCommand* command() const { return this->Observer.Get(); }
 
-  bool Empty() const { return this->Observer->Text.empty(); }
+  bool empty() const { return this->Observer->text.empty(); }
 
   /** The first message without VTK's "ERROR: In FILE, line N" and the object's address. */
-  std::string FirstLine() const
+  std::string firstLine() const
   {
-    std::string text = this->Observer->Text;
+    std::string text = this->Observer->text;
     const std::size_t start = text.find("): ");
     text = start == std::string::npos ? text : text.substr(start + 3);
     return text.substr(0, text.find_first_of("\r\n"));
@@ -44,13 +44,13 @@ private:
     static Collector* New() { return new Collector; }
     void Execute(vtkObject*, unsigned long event, void* data) override
     {
-      if (this->Text.empty() && !(this->Tolerant && event == vtkCommand::WarningEvent))
+      if (this->text.empty() && !(this->tolerant && event == vtkCommand::WarningEvent))
       {
-        this->Text = data ? static_cast<const char*>(data) : "unknown error";
+        this->text = data ? static_cast<const char*>(data) : "unknown error";
       }
     }
-    std::string Text;
-    bool Tolerant = false;
+    std::string text;
+    bool tolerant = false;
   };
 
   vtkNew<Collector> Observer;

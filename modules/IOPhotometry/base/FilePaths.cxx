@@ -14,7 +14,7 @@ namespace
 const char* const Subject = "files elsewhere";
 }  // namespace
 
-std::string ResolvePath(const std::string& folder, const std::string& path, Notes& notes)
+std::string resolvePath(const std::string& folder, const std::string& path, Notes& notes)
 {
   const std::filesystem::path whole = std::filesystem::path(folder) / path;
   const std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
@@ -25,15 +25,15 @@ std::string ResolvePath(const std::string& folder, const std::string& path, Note
   return whole.string();
 }
 
-Notes JoinFilesElsewhere(const Notes& notes)
+Notes joinFilesElsewhere(const Notes& notes)
 {
   Notes joined;
   std::set<std::string> elsewhere;
   for (const Note& note : notes)
   {
-    if (note.Subject == Subject)
+    if (note.subject == Subject)
     {
-      elsewhere.insert(AsUtf8(OneLine(note.Choice)));
+      elsewhere.insert(asUtf8(oneLine(note.choice)));
     }
     else
     {

@@ -15,10 +15,10 @@
 namespace kalos::scene
 {
 /** The file called `path` in a file of `folder`; one that lies elsewhere is added to `notes`. */
-std::string ResolvePath(const std::string& folder, const std::string& path, Notes& notes);
+std::string resolvePath(const std::string& folder, const std::string& path, Notes& notes);
 
 /** `notes` with all files that lie elsewhere in one. */
-Notes JoinFilesElsewhere(const Notes& notes);
+Notes joinFilesElsewhere(const Notes& notes);
 }  // namespace kalos::scene
 
 #endif

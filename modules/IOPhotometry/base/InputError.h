@@ -10,7 +10,7 @@
 namespace kalos::scene
 {
 /** Line breaks and other control characters, as names may hold, become question marks. */
-inline std::string OneLine(std::string text)
+inline std::string oneLine(std::string text)
 {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
@@ -18,7 +18,7 @@ inline std::string OneLine(std::string text)
 }
 
 /** Bytes of a damaged file, fit for a message: at most 40, those that are not ASCII as question marks. */
-inline std::string Quotable(std::string text)
+inline std::string quotable(std::string text)
 {
   text = text.substr(0, 40);
   std::replace_if(
@@ -30,19 +30,19 @@ inline std::string Quotable(std::string text)
 class InputError : public std::runtime_error
 {
 public:
-  InputError(const std::string& where, const std::string& what) : std::runtime_error(OneLine(where + ": " + what)) {}
+  InputError(const std::string& where, const std::string& what) : std::runtime_error(oneLine(where + ": " + what)) {}
   InputError(const std::string& file, const std::string& where, const std::string& what)
-      : std::runtime_error(OneLine(file + ": " + where + ": " + what)), HasFile(true)
+      : std::runtime_error(oneLine(file + ": " + where + ": " + what)), HasFile(true)
   {
   }
 
   /** The same with its file filled in, unless it has one. */
-  InputError In(const std::string& file) const
+  InputError in(const std::string& file) const
   {
-    return this->HasFile ? *this : InputError(OneLine(file + ": " + this->what()));
+    return this->HasFile ? *this : InputError(oneLine(file + ": " + this->what()));
   }
 
-  std::string Message(const std::string& file) const
+  std::string message(const std::string& file) const
   {
     return this->HasFile ? this->what() : file + ": " + this->what();
   }

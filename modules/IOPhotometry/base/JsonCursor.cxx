@@ -21,7 +21,7 @@ public:
   {
     if (depth > MaximumDepth)
     {
-      throw InputError(this->Path(),
+      throw InputError(this->path(),
                        "nested deeper than " + std::to_string(MaximumDepth) + " levels; expected a scene");
     }
     if (event == json::parse_event_t::object_start)
@@ -35,10 +35,10 @@ public:
     else if (event == json::parse_event_t::key && !this->Frames.empty())
     {
       Frame& frame = this->Frames.back();
-      frame.Key = parsed.get<std::string>();
-      if (!frame.Keys.insert(frame.Key).second)
+      frame.key = parsed.get<std::string>();
+      if (!frame.keys.insert(frame.key).second)
       {
-        throw InputError(this->Path(), "this key appears twice; expected once");
+        throw InputError(this->path(), "this key appears twice; expected once");
       }
     }
     return true;
@@ -47,16 +47,16 @@ public:
 private:
   struct Frame
   {
-    std::string Key;
-    std::set<std::string> Keys;
+    std::string key;
+    std::set<std::string> keys;
   };
 
-  std::string Path() const
+  std::string path() const
   {
     std::string path;
     for (const Frame& frame : this->Frames)
     {
-      path += (path.empty() || frame.Key.empty() ? "" : ".") + frame.Key;
+      path += (path.empty() || frame.key.empty() ? "" : ".") + frame.key;
     }
     return path.empty() ? "scene" : path;
   }
@@ -64,7 +64,7 @@ private:
   std::vector<Frame> Frames;
 };
 
-std::string LineAndColumn(const std::string& text, std::size_t byte)
+std::string lineAndColumn(const std::string& text, std::size_t byte)
 {
   const std::size_t end = std::min(byte == 0 ? 0 : byte - 1, text.size());
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
@@ -74,13 +74,13 @@ std::string LineAndColumn(const std::string& text, std::size_t byte)
 }
 
 /** Short form of a value for a message. */
-std::string Shown(const json& value)
+std::string shown(const json& value)
 {
   std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
   return text.size() > 60 ? text.substr(0, 57) + "..." : text;
 }
 
-std::string Quoted(std::initializer_list<const char*> keys)
+std::string quoted(std::initializer_list<const char*> keys)
 {
   std::string text;
   for (const char* key : keys)
@@ -90,13 +90,13 @@ std::string Quoted(std::initializer_list<const char*> keys)
   return text;
 }
 
-std::string Text(double number)
+std::string text(double number)
 {
   return json(number).dump();
 }
 }  // namespace
 
-json ParseJson(const std::string& text)
+json parseJson(const std::string& text)
 {
   try
   {
@@ -113,7 +113,7 @@ json ParseJson(const std::string& text)
     reason = colon == std::string::npos ? reason : reason.substr(colon + 2);
     std::replace_if(
         reason.begin(), reason.end(), [](unsigned char c) { return c > 126; }, '?');
-    throw InputError(LineAndColumn(text, error.byte), "malformed JSON: " + reason);
+    throw InputError(lineAndColumn(text, error.byte), "malformed JSON: " + reason);
   }
   catch (const json::out_of_range& error)
   {
@@ -123,150 +123,150 @@ json ParseJson(const std::string& text)
   }
 }
 
-void JsonCursor::Fail(const std::string& what) const
+void JsonCursor::fail(const std::string& what) const
 {
   throw InputError(this->Place, what);
 }
 
-void JsonCursor::FailExpected(const std::string& expected) const
+void JsonCursor::failExpected(const std::string& expected) const
 {
-  this->Fail("found " + Shown(*this->Json) + "; expected " + expected);
+  this->fail("found " + shown(*this->Json) + "; expected " + expected);
 }
 
-void JsonCursor::CheckKeys(std::initializer_list<const char*> keys) const
+void JsonCursor::checkKeys(std::initializer_list<const char*> keys) const
 {
   if (!this->Json->is_object())
   {
-    this->FailExpected("an object with the keys " + Quoted(keys));
+    this->failExpected("an object with the keys " + quoted(keys));
   }
   for (const auto& member : this->Json->items())
   {
     const bool known = std::any_of(keys.begin(), keys.end(), [&](const char* key) { return member.key() == key; });
     if (!known)
     {
-      this->Fail("unknown key " + Shown(member.key()) + "; expected " + Quoted(keys));
+      this->fail("unknown key " + shown(member.key()) + "; expected " + quoted(keys));
     }
   }
 }
 
-bool JsonCursor::Has(const char* key) const
+bool JsonCursor::has(const char* key) const
 {
   return this->Json->is_object() && this->Json->contains(key);
 }
 
-JsonCursor JsonCursor::At(const char* key) const
+JsonCursor JsonCursor::at(const char* key) const
 {
-  if (!this->Has(key))
+  if (!this->has(key))
   {
-    this->Fail("the key \"" + std::string(key) + "\" is missing");
+    this->fail("the key \"" + std::string(key) + "\" is missing");
   }
   return JsonCursor(this->Json->at(key), this->Place == "scene" ? std::string(key) : this->Place + "." + key);
 }
 
-std::optional<JsonCursor> JsonCursor::Find(const char* key) const
+std::optional<JsonCursor> JsonCursor::find(const char* key) const
 {
-  return this->Has(key) ? std::optional<JsonCursor>(this->At(key)) : std::nullopt;
+  return this->has(key) ? std::optional<JsonCursor>(this->at(key)) : std::nullopt;
 }
 
-double JsonCursor::Number() const
+double JsonCursor::number() const
 {
   if (!this->Json->is_number())
   {
-    this->FailExpected("a number");
+    this->failExpected("a number");
   }
   return this->Json->get<double>();
 }
 
-double JsonCursor::NumberAbove(double minimum) const
+double JsonCursor::numberAbove(double minimum) const
 {
-  const double number = this->Number();
+  const double number = this->number();
   if (!(number > minimum))
   {
-    this->FailExpected("a number above " + Text(minimum));
+    this->failExpected("a number above " + text(minimum));
   }
   return number;
 }
 
-double JsonCursor::NumberAtLeast(double minimum) const
+double JsonCursor::numberAtLeast(double minimum) const
 {
-  const double number = this->Number();
+  const double number = this->number();
   if (!(number >= minimum))
   {
-    this->FailExpected("a number of at least " + Text(minimum));
+    this->failExpected("a number of at least " + text(minimum));
   }
   return number;
 }
 
-double JsonCursor::Fraction() const
+double JsonCursor::fraction() const
 {
-  const double number = this->Number();
+  const double number = this->number();
   if (!(number >= 0.0 && number < 1.0))
   {
-    this->FailExpected("a number of at least 0 and below 1");
+    this->failExpected("a number of at least 0 and below 1");
   }
   return number;
 }
 
-int JsonCursor::Integer(int minimum, int maximum) const
+int JsonCursor::integer(int minimum, int maximum) const
 {
   const std::string expected = "a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum);
   if (!this->Json->is_number())
   {
-    this->FailExpected(expected);
+    this->failExpected(expected);
   }
   const double number = this->Json->get<double>();
   if (number != std::floor(number) || number < minimum || number > maximum)
   {
-    this->FailExpected(expected);
+    this->failExpected(expected);
   }
   return static_cast<int>(number);
 }
 
-bool JsonCursor::Boolean() const
+bool JsonCursor::boolean() const
 {
   if (!this->Json->is_boolean())
   {
-    this->FailExpected("true or false");
+    this->failExpected("true or false");
   }
   return this->Json->get<bool>();
 }
 
-std::string JsonCursor::String() const
+std::string JsonCursor::string() const
 {
   if (!this->Json->is_string())
   {
-    this->FailExpected("a string");
+    this->failExpected("a string");
   }
   return this->Json->get<std::string>();
 }
 
-Vector3 JsonCursor::Vector() const
+Vector3 JsonCursor::vector() const
 {
   if (!this->Json->is_array() || this->Json->size() != 3 ||
       !std::all_of(this->Json->begin(), this->Json->end(), [](const json& value) { return value.is_number(); }))
   {
-    this->FailExpected("three numbers [x, y, z]");
+    this->failExpected("three numbers [x, y, z]");
   }
   return {(*this->Json)[0].get<double>(), (*this->Json)[1].get<double>(), (*this->Json)[2].get<double>()};
 }
 
-Vector3 JsonCursor::NonZeroVector() const
+Vector3 JsonCursor::nonZeroVector() const
 {
-  const Vector3 vector = this->Vector();
+  const Vector3 vector = this->vector();
   if (vector == Vector3{})
   {
-    this->FailExpected("a direction, not zero");
+    this->failExpected("a direction, not zero");
   }
   return vector;
 }
 
-std::array<int, 2> JsonCursor::Resolution() const
+std::array<int, 2> JsonCursor::resolution() const
 {
   constexpr double maximum = 1e8;
   const std::string expected = "two whole numbers of at least 1, with a product of at most 100000000";
   if (!this->Json->is_array() || this->Json->size() != 2)
   {
-    this->FailExpected(expected);
+    this->failExpected(expected);
   }
   std::array<int, 2> resolution{};
   double product = 1.0;
@@ -277,16 +277,16 @@ std::array<int, 2> JsonCursor::Resolution() const
     product *= number;
     if (number != std::floor(number) || number < 1.0 || product > maximum)
     {
-      this->FailExpected(expected);
+      this->failExpected(expected);
     }
     resolution[i] = static_cast<int>(number);
   }
   return resolution;
 }
 
-std::vector<double> JsonCursor::Bands(double below) const
+std::vector<double> JsonCursor::bands(double below) const
 {
-  const std::string range = std::isfinite(below) ? "at least 0 and below " + Text(below) : "at least 0";
+  const std::string range = std::isfinite(below) ? "at least 0 and below " + text(below) : "at least 0";
   const std::string expected =
       "a number of " + range + ", or 1 to " + std::to_string(MaximumBands) + " such numbers, one a band";
   std::vector<double> bands;
@@ -303,16 +303,16 @@ std::vector<double> JsonCursor::Bands(double below) const
   }
   if (bands.empty() || !std::all_of(bands.begin(), bands.end(), [=](double b) { return b >= 0.0 && b < below; }))
   {
-    this->FailExpected(expected);
+    this->failExpected(expected);
   }
   return bands;
 }
 
-std::vector<JsonCursor> JsonCursor::Items() const
+std::vector<JsonCursor> JsonCursor::items() const
 {
   if (!this->Json->is_array())
   {
-    this->FailExpected("an array");
+    this->failExpected("an array");
   }
   std::vector<JsonCursor> items;
   for (std::size_t i = 0; i < this->Json->size(); ++i)
@@ -325,11 +325,11 @@ std::vector<JsonCursor> JsonCursor::Items() const
   return items;
 }
 
-std::vector<std::pair<std::string, JsonCursor>> JsonCursor::Members() const
+std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const
 {
   if (!this->Json->is_object())
   {
-    this->FailExpected("an object");
+    this->failExpected("an object");
   }
   std::vector<std::pair<std::string, JsonCursor>> members;
   for (const auto& member : this->Json->items())
@@ -339,16 +339,16 @@ std::vector<std::pair<std::string, JsonCursor>> JsonCursor::Members() const
   return members;
 }
 
-std::string JsonCursor::Name() const
+std::string JsonCursor::name() const
 {
-  const JsonCursor node = this->At("name");
-  const std::string name = node.String();
+  const JsonCursor node = this->at("name");
+  const std::string name = node.string();
   const bool plain =
       std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == '/' || c == '\\'; });
   // Results are files called NAME.csv and the like.
   if (name.empty() || name.size() > 200 || name.front() == '.' || !plain)
   {
-    node.FailExpected("a name that can be a file name: 1 to 200 characters, no slash, no dot at the start");
+    node.failExpected("a name that can be a file name: 1 to 200 characters, no slash, no dot at the start");
   }
   return name;
 }

@@ -22,7 +22,7 @@ constexpr std::size_t MaximumBytes = 1 << 26;  ///< size of a scene file
 constexpr int MaximumBands = 256;              ///< components of a reflectance
 
 /** Parse a text; malformed JSON, duplicate keys and too deep nesting throw. */
-nlohmann::json ParseJson(const std::string& text);
+nlohmann::json parseJson(const std::string& text);
 
 class JsonCursor
 {
@@ -30,38 +30,38 @@ public:
   /** `json` must outlive the node. */
   JsonCursor(const nlohmann::json& json, std::string where) : Json(&json), Place(std::move(where)) {}
 
-  const std::string& Where() const { return this->Place; }
-  [[noreturn]] void Fail(const std::string& what) const;
+  const std::string& where() const { return this->Place; }
+  [[noreturn]] void fail(const std::string& what) const;
   /** Fail with "VALUE found; expected ...". */
-  [[noreturn]] void FailExpected(const std::string& expected) const;
+  [[noreturn]] void failExpected(const std::string& expected) const;
 
   /** Be an object with no other keys than these. */
-  void CheckKeys(std::initializer_list<const char*> keys) const;
-  bool Has(const char* key) const;
-  JsonCursor At(const char* key) const;
-  std::optional<JsonCursor> Find(const char* key) const;
+  void checkKeys(std::initializer_list<const char*> keys) const;
+  bool has(const char* key) const;
+  JsonCursor at(const char* key) const;
+  std::optional<JsonCursor> find(const char* key) const;
 
-  double Number() const;
-  double NumberAbove(double minimum) const;
-  double NumberAtLeast(double minimum) const;
+  double number() const;
+  double numberAbove(double minimum) const;
+  double numberAtLeast(double minimum) const;
   /** A reflectance-like number in [0, 1). */
-  double Fraction() const;
-  int Integer(int minimum, int maximum) const;
-  bool Boolean() const;
-  std::string String() const;
-  Vector3 Vector() const;
-  Vector3 NonZeroVector() const;
+  double fraction() const;
+  int integer(int minimum, int maximum) const;
+  bool boolean() const;
+  std::string string() const;
+  Vector3 vector() const;
+  Vector3 nonZeroVector() const;
   /** Two whole numbers whose product is limited. */
-  std::array<int, 2> Resolution() const;
+  std::array<int, 2> resolution() const;
   /** One number, or an array of them: each in [0, below), or from 0 to any finite number. */
-  std::vector<double> Bands(double below = std::numeric_limits<double>::infinity()) const;
+  std::vector<double> bands(double below = std::numeric_limits<double>::infinity()) const;
 
   /** The elements of an array, with WHERE by name if they have one: `surfaces.floor`, else `surfaces[0]`. */
-  std::vector<JsonCursor> Items() const;
+  std::vector<JsonCursor> items() const;
   /** The members of an object. */
-  std::vector<std::pair<std::string, JsonCursor>> Members() const;
+  std::vector<std::pair<std::string, JsonCursor>> members() const;
   /** The member "name": unique is checked by the caller, usable as a file name is checked here. */
-  std::string Name() const;
+  std::string name() const;
 
 private:
   const nlohmann::json* Json;

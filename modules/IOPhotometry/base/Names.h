@@ -10,7 +10,7 @@
 namespace kalos::scene
 {
 /** Bytes that are not UTF-8 become question marks: an OBJ may be in any encoding. */
-inline std::string AsUtf8(std::string text)
+inline std::string asUtf8(std::string text)
 {
   for (std::size_t i = 0; i < text.size(); ++i)
   {
@@ -32,9 +32,9 @@ inline std::string AsUtf8(std::string text)
  * The wish, or `absent` if it is empty, without characters that file names can not have, and with a number if it is
  * among `taken`, where it is added.
  */
-inline std::string FreeName(std::string wish, const char* absent, std::set<std::string>& taken)
+inline std::string freeName(std::string wish, const char* absent, std::set<std::string>& taken)
 {
-  wish = wish.empty() ? absent : AsUtf8(wish.substr(0, 100));
+  wish = wish.empty() ? absent : asUtf8(wish.substr(0, 100));
   std::replace_if(
       wish.begin(), wish.end(), [](unsigned char c) { return c < ' ' || c == 127 || c == '/' || c == '\\'; }, '-');
   wish[0] = wish[0] == '.' ? '-' : wish[0];

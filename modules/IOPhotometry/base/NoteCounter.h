@@ -31,12 +31,12 @@ public:
     }
   }
 
-  void Count(const std::string& subject, const std::string& name, const std::string& choice, const std::string& reason)
+  void count(const std::string& subject, const std::string& name, const std::string& choice, const std::string& reason)
   {
     auto& [count, names] = this->Counted[{subject, choice, reason}];
     if (++count <= 3)
     {
-      names += (count > 1 ? ", " : "") + AsUtf8(OneLine(name));
+      names += (count > 1 ? ", " : "") + asUtf8(oneLine(name));
     }
   }
 

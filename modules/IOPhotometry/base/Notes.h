@@ -10,9 +10,9 @@ namespace kalos::scene
 {
 struct Note
 {
-  std::string Subject;
-  std::string Choice;
-  std::string Reason;
+  std::string subject;
+  std::string choice;
+  std::string reason;
 };
 
 using Notes = std::vector<Note>;

@@ -10,10 +10,10 @@
 namespace kalos::scene
 {
 /** The elements of the accessor that `number` names, which is of this type; normalised integers become fractions. */
-std::vector<double> ReadVectors(const GltfFile& file, const JsonCursor& number, const std::string& type);
-std::vector<Vector3> ReadPoints(const GltfFile& file, const JsonCursor& number);
+std::vector<double> readVectors(const GltfFile& file, const JsonCursor& number, const std::string& type);
+std::vector<Vector3> readPoints(const GltfFile& file, const JsonCursor& number);
 /** Unsigned integers of a SCALAR accessor. */
-std::vector<std::uint32_t> ReadIndices(const GltfFile& file, const JsonCursor& number);
+std::vector<std::uint32_t> readIndices(const GltfFile& file, const JsonCursor& number);
 }  // namespace kalos::scene
 
 #endif

@@ -17,7 +17,7 @@ namespace
 {
 constexpr std::uintmax_t MaximumFileBytes = std::uintmax_t{1} << 31;
 
-std::string ReadFile(const std::string& path, const std::string& where)
+std::string readFile(const std::string& path, const std::string& where)
 {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
@@ -37,7 +37,7 @@ std::string ReadFile(const std::string& path, const std::string& where)
   return content;
 }
 
-std::uint32_t Word(const std::string& content, std::size_t at)
+std::uint32_t word(const std::string& content, std::size_t at)
 {
   std::uint32_t word = 0;
   for (int i = 3; i >= 0; --i)
@@ -47,7 +47,7 @@ std::uint32_t Word(const std::string& content, std::size_t at)
   return word;
 }
 
-int Sextet(unsigned char c)
+int sextet(unsigned char c)
 {
   static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   const char* found = c ? std::strchr(digits, c) : nullptr;
@@ -55,17 +55,17 @@ int Sextet(unsigned char c)
 }
 
 /** The content of `data:TYPE;base64,TEXT`. */
-std::string DecodeBase64(const JsonCursor& uri, const std::string& text, std::size_t begin)
+std::string decodeBase64(const JsonCursor& uri, const std::string& text, std::size_t begin)
 {
   std::string bytes;
   unsigned int bits = 0;
   int count = 0;
   for (std::size_t i = begin; i < text.size() && text[i] != '='; ++i)
   {
-    const int digit = Sextet(static_cast<unsigned char>(text[i]));
+    const int digit = sextet(static_cast<unsigned char>(text[i]));
     if (digit < 0)
     {
-      uri.Fail("a character that is not of base64; expected letters, digits, + and /");
+      uri.fail("a character that is not of base64; expected letters, digits, + and /");
     }
     bits = (bits << 6 | static_cast<unsigned int>(digit)) & 0xFFFFU;
     count += 6;
@@ -78,7 +78,7 @@ std::string DecodeBase64(const JsonCursor& uri, const std::string& text, std::si
   return bytes;
 }
 
-std::string DecodePercent(const std::string& text)
+std::string decodePercent(const std::string& text)
 {
   std::string decoded;
   for (std::size_t i = 0; i < text.size(); ++i)
@@ -105,93 +105,93 @@ const std::set<std::string> KnownExtensions = {"KHR_lights_punctual",        "KH
 
 GltfFile::GltfFile(const std::string& path, Notes& notes) : Path(path), FileNotes(notes)
 {
-  std::string content = ReadFile(path, "file");
+  std::string content = readFile(path, "file");
   if (content.compare(0, 4, "glTF") != 0)
   {
-    this->Json = ParseJson(content);
+    this->Json = parseJson(content);
   }
   else
   {
     this->Content = std::move(content);
     const std::size_t size = this->Content.size();
-    if (size < 20 || Word(this->Content, 4) != 2)
+    if (size < 20 || word(this->Content, 4) != 2)
     {
       throw InputError("header", "no glTF binary of version 2; expected one");
     }
-    if (Word(this->Content, 8) > size)
+    if (word(this->Content, 8) > size)
     {
       throw InputError("header", "a file of " + std::to_string(size) + " bytes that says it has " +
-                                     std::to_string(Word(this->Content, 8)) + "; expected a complete file");
+                                     std::to_string(word(this->Content, 8)) + "; expected a complete file");
     }
-    const std::size_t text = Word(this->Content, 12);
-    if (Word(this->Content, 16) != 0x4E4F534AU || text > size - 20)
+    const std::size_t text = word(this->Content, 12);
+    if (word(this->Content, 16) != 0x4E4F534AU || text > size - 20)
     {
       throw InputError("header", "the first chunk is no JSON, or not complete; expected JSON");
     }
-    this->Json = ParseJson(this->Content.substr(20, text));
+    this->Json = parseJson(this->Content.substr(20, text));
     const std::size_t next = 20 + text;
-    if (size - next >= 8 && Word(this->Content, next + 4) == 0x004E4942U)
+    if (size - next >= 8 && word(this->Content, next + 4) == 0x004E4942U)
     {
       this->Chunk = {reinterpret_cast<const unsigned char*>(this->Content.data()) + next + 8,
-                     Word(this->Content, next)};
-      if (this->Chunk.Size > size - next - 8)
+                     word(this->Content, next)};
+      if (this->Chunk.size > size - next - 8)
       {
-        throw InputError("header", "the binary chunk is not complete; expected " + std::to_string(this->Chunk.Size) +
+        throw InputError("header", "the binary chunk is not complete; expected " + std::to_string(this->Chunk.size) +
                                        " bytes, found " + std::to_string(size - next - 8));
       }
       this->HasChunk = true;
     }
   }
-  const JsonCursor version = this->Root().At("asset").At("version");
-  if (version.String().compare(0, 2, "2.") != 0)
+  const JsonCursor version = this->root().at("asset").at("version");
+  if (version.string().compare(0, 2, "2.") != 0)
   {
-    version.FailExpected("\"2.0\"");
+    version.failExpected("\"2.0\"");
   }
-  const auto required = this->Root().Find("extensionsRequired");
-  for (const JsonCursor& extension : required ? required->Items() : std::vector<JsonCursor>())
+  const auto required = this->root().find("extensionsRequired");
+  for (const JsonCursor& extension : required ? required->items() : std::vector<JsonCursor>())
   {
-    if (KnownExtensions.count(extension.String()) == 0)
+    if (KnownExtensions.count(extension.string()) == 0)
     {
-      extension.FailExpected("a file without compression and extensions that Kalos does not know");
+      extension.failExpected("a file without compression and extensions that Kalos does not know");
     }
   }
 }
 
-const std::vector<JsonCursor>& GltfFile::Section(const std::string& name) const
+const std::vector<JsonCursor>& GltfFile::section(const std::string& name) const
 {
   const auto known = this->Sections.find(name);
   if (known != this->Sections.end())
   {
     return known->second;
   }
-  const auto section = this->Root().Find(name.c_str());
-  std::vector<JsonCursor> items = section ? section->Items() : std::vector<JsonCursor>();
+  const auto section = this->root().find(name.c_str());
+  std::vector<JsonCursor> items = section ? section->items() : std::vector<JsonCursor>();
   for (const JsonCursor& item : items)
   {
-    item.Members();  // be an object
+    item.members();  // be an object
   }
   return this->Sections[name] = std::move(items);
 }
 
-std::size_t GltfFile::Index(const JsonCursor& number, const std::string& section) const
+std::size_t GltfFile::index(const JsonCursor& number, const std::string& section) const
 {
-  const std::size_t count = this->Section(section).size();
-  const std::size_t index = WholeNumber(number);
+  const std::size_t count = this->section(section).size();
+  const std::size_t index = wholeNumber(number);
   if (index >= count)
   {
-    number.FailExpected("the number of one of " + std::to_string(count) + " " + section + ", counted from 0");
+    number.failExpected("the number of one of " + std::to_string(count) + " " + section + ", counted from 0");
   }
   return index;
 }
 
-const JsonCursor& GltfFile::Element(const JsonCursor& number, const std::string& section) const
+const JsonCursor& GltfFile::element(const JsonCursor& number, const std::string& section) const
 {
-  return this->Section(section)[this->Index(number, section)];
+  return this->section(section)[this->index(number, section)];
 }
 
-const std::string& GltfFile::Resolve(const JsonCursor& uri) const
+const std::string& GltfFile::resolve(const JsonCursor& uri) const
 {
-  const std::string text = uri.String();
+  const std::string text = uri.string();
   const auto known = this->Loaded.find(text);
   if (known != this->Loaded.end())
   {
@@ -203,69 +203,69 @@ const std::string& GltfFile::Resolve(const JsonCursor& uri) const
     const std::size_t comma = text.find(";base64,");
     if (comma == std::string::npos || comma > 200)
     {
-      uri.Fail("a data URI that is not base64; expected data:TYPE;base64,...");
+      uri.fail("a data URI that is not base64; expected data:TYPE;base64,...");
     }
-    content = DecodeBase64(uri, text, comma + 8);
+    content = decodeBase64(uri, text, comma + 8);
   }
   else
   {
     const std::string folder = std::filesystem::path(this->Path).parent_path().string();
-    content = ReadFile(ResolvePath(folder, DecodePercent(text), this->FileNotes), uri.Where());
+    content = readFile(resolvePath(folder, decodePercent(text), this->FileNotes), uri.where());
   }
   return this->Loaded[text] = std::move(content);
 }
 
-Bytes GltfFile::Buffer(std::size_t index) const
+Bytes GltfFile::buffer(std::size_t index) const
 {
-  const JsonCursor& buffer = this->Section("buffers")[index];
-  const std::size_t length = WholeNumber(buffer.At("byteLength"));
+  const JsonCursor& buffer = this->section("buffers")[index];
+  const std::size_t length = wholeNumber(buffer.at("byteLength"));
   Bytes bytes = this->Chunk;
-  if (const auto uri = buffer.Find("uri"))
+  if (const auto uri = buffer.find("uri"))
   {
-    const std::string& content = this->Resolve(*uri);
+    const std::string& content = this->resolve(*uri);
     bytes = {reinterpret_cast<const unsigned char*>(content.data()), content.size()};
   }
   else if (index != 0 || !this->HasChunk)
   {
-    buffer.Fail("neither a \"uri\" nor the binary chunk of a .glb; expected one of them");
+    buffer.fail("neither a \"uri\" nor the binary chunk of a .glb; expected one of them");
   }
-  if (bytes.Size < length)
+  if (bytes.size < length)
   {
-    buffer.Fail(std::to_string(bytes.Size) + " bytes; expected " + std::to_string(length));
+    buffer.fail(std::to_string(bytes.size) + " bytes; expected " + std::to_string(length));
   }
-  return {bytes.Data, length};
+  return {bytes.data, length};
 }
 
-Bytes GltfFile::View(const JsonCursor& view) const
+Bytes GltfFile::view(const JsonCursor& view) const
 {
-  const Bytes buffer = this->Buffer(this->Index(view.At("buffer"), "buffers"));
-  const auto offset = view.Find("byteOffset");
-  const std::size_t begin = offset ? WholeNumber(*offset) : 0;
-  const std::size_t length = WholeNumber(view.At("byteLength"));
-  if (begin > buffer.Size || length > buffer.Size - begin)
+  const Bytes buffer = this->buffer(this->index(view.at("buffer"), "buffers"));
+  const auto offset = view.find("byteOffset");
+  const std::size_t begin = offset ? wholeNumber(*offset) : 0;
+  const std::size_t length = wholeNumber(view.at("byteLength"));
+  if (begin > buffer.size || length > buffer.size - begin)
   {
-    view.Fail("ends at byte " + std::to_string(begin + length) + " of a buffer of " + std::to_string(buffer.Size) +
+    view.fail("ends at byte " + std::to_string(begin + length) + " of a buffer of " + std::to_string(buffer.size) +
               "; expected a view inside");
   }
-  return {buffer.Data + begin, length};
+  return {buffer.data + begin, length};
 }
 
-Bytes GltfFile::Image(const JsonCursor& image) const
+Bytes GltfFile::image(const JsonCursor& image) const
 {
-  if (const auto view = image.Find("bufferView"))
+  if (const auto view = image.find("bufferView"))
   {
-    return this->View(this->Element(*view, "bufferViews"));
+    return this->view(this->element(*view, "bufferViews"));
   }
-  const std::string& content = this->Resolve(image.At("uri"));
+  const std::string& content = this->resolve(image.at("uri"));
   return {reinterpret_cast<const unsigned char*>(content.data()), content.size()};
 }
 
-std::size_t WholeNumber(const JsonCursor& number)
+std::size_t wholeNumber(const JsonCursor& number)
 {
-  const double value = number.NumberAtLeast(0.0);
+  const double value = number.numberAtLeast(0.0);
   if (value != std::floor(value) || value > 9007199254740992.0)
   {
-    number.FailExpected("a whole number");
+    number.failExpected("a whole number");
   }
   return static_cast<std::size_t>(value);
 }

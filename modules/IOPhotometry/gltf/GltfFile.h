@@ -18,8 +18,8 @@ namespace kalos::scene
 /** Bytes inside a buffer of the file; valid as long as the file is. */
 struct Bytes
 {
-  const unsigned char* Data = nullptr;
-  std::size_t Size = 0;
+  const unsigned char* data = nullptr;
+  std::size_t size = 0;
 };
 
 class GltfFile
@@ -31,21 +31,21 @@ public:
   GltfFile(const GltfFile&) = delete;
   void operator=(const GltfFile&) = delete;
 
-  JsonCursor Root() const { return JsonCursor(this->Json, "scene"); }
+  JsonCursor root() const { return JsonCursor(this->Json, "scene"); }
   /** The elements of a top-level array, such as "nodes"; none if it is absent. */
-  const std::vector<JsonCursor>& Section(const std::string& name) const;
+  const std::vector<JsonCursor>& section(const std::string& name) const;
   /** The index that `number` holds, of an element of a section. */
-  std::size_t Index(const JsonCursor& number, const std::string& section) const;
-  const JsonCursor& Element(const JsonCursor& number, const std::string& section) const;
+  std::size_t index(const JsonCursor& number, const std::string& section) const;
+  const JsonCursor& element(const JsonCursor& number, const std::string& section) const;
 
   /** The bytes of a buffer view. */
-  Bytes View(const JsonCursor& view) const;
+  Bytes view(const JsonCursor& view) const;
   /** The bytes that "uri" or "bufferView" of an image name. */
-  Bytes Image(const JsonCursor& image) const;
+  Bytes image(const JsonCursor& image) const;
 
 private:
-  const std::string& Resolve(const JsonCursor& uri) const;
-  Bytes Buffer(std::size_t index) const;
+  const std::string& resolve(const JsonCursor& uri) const;
+  Bytes buffer(std::size_t index) const;
 
   std::string Path;
   Notes& FileNotes;
@@ -58,7 +58,7 @@ private:
 };
 
 /** A whole number from 0 to 2^53. */
-std::size_t WholeNumber(const JsonCursor& number);
+std::size_t wholeNumber(const JsonCursor& number);
 }  // namespace kalos::scene
 
 #endif

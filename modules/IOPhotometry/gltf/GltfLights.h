@@ -14,11 +14,11 @@
 namespace kalos::scene
 {
 /** The light of a node that lies at `world`, if it has one. It shines along -z of the node. */
-std::optional<ModelLight> ReadGltfLight(const GltfFile& file, const JsonCursor& node, const Transform& world,
+std::optional<ModelLight> readGltfLight(const GltfFile& file, const JsonCursor& node, const Transform& world,
                                         NoteCounter& found);
 
 /** The camera of a node, if it has one in perspective. It looks along -z of the node. */
-std::optional<Camera> ReadGltfCamera(const GltfFile& file, const JsonCursor& node, const Transform& world,
+std::optional<Camera> readGltfCamera(const GltfFile& file, const JsonCursor& node, const Transform& world,
                                      NoteCounter& found);
 }  // namespace kalos::scene
 

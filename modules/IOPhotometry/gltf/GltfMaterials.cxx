@@ -12,35 +12,35 @@ namespace kalos::scene
 {
 namespace
 {
-std::array<double, 3> Color(const JsonCursor& holder, const char* key, double absent, double highest)
+std::array<double, 3> color(const JsonCursor& holder, const char* key, double absent, double highest)
 {
   std::array<double, 3> color{absent, absent, absent};
-  if (const auto node = holder.Find(key))
+  if (const auto node = holder.find(key))
   {
-    const std::vector<double> numbers = node->Bands();
+    const std::vector<double> numbers = node->bands();
     if (numbers.size() < 3 || numbers.size() > 4)
     {
-      node->FailExpected("three or four numbers");
+      node->failExpected("three or four numbers");
     }
     for (int c = 0; c < 3; ++c)
     {
       color[c] = numbers[c];
       if (!(color[c] <= highest))
       {
-        node->FailExpected("numbers from 0 to 1");
+        node->failExpected("numbers from 0 to 1");
       }
     }
   }
   return color;
 }
 
-double Factor(const JsonCursor& holder, const char* key, double absent, double highest = 1.0)
+double factor(const JsonCursor& holder, const char* key, double absent, double highest = 1.0)
 {
-  const auto node = holder.Find(key);
-  const double number = node ? node->NumberAtLeast(0.0) : absent;
+  const auto node = holder.find(key);
+  const double number = node ? node->numberAtLeast(0.0) : absent;
   if (node && !(number <= highest))
   {
-    node->FailExpected("a number from 0 to 1");
+    node->failExpected("a number from 0 to 1");
   }
   return number;
 }
@@ -51,34 +51,34 @@ class Reader
 public:
   Reader(const GltfFile& file, Notes& notes) : File(file), Found(notes) {}
 
-  Material Read(const JsonCursor& node)
+  Material read(const JsonCursor& node)
   {
-    const std::string name = node.Find("name") ? node.At("name").String() : node.Where();
+    const std::string name = node.find("name") ? node.at("name").string() : node.where();
     MetallicRoughness source;
-    if (const auto pbr = node.Find("pbrMetallicRoughness"))
+    if (const auto pbr = node.find("pbrMetallicRoughness"))
     {
-      source.BaseColor = Color(*pbr, "baseColorFactor", 1.0, 1.0);
-      source.Metallic = Factor(*pbr, "metallicFactor", 1.0);
-      source.Roughness = Factor(*pbr, "roughnessFactor", 1.0);
-      if (const auto mean = this->Average(*pbr, "baseColorTexture", name))
+      source.baseColor = color(*pbr, "baseColorFactor", 1.0, 1.0);
+      source.metallic = factor(*pbr, "metallicFactor", 1.0);
+      source.roughness = factor(*pbr, "roughnessFactor", 1.0);
+      if (const auto mean = this->average(*pbr, "baseColorTexture", name))
       {
-        Multiply(source.BaseColor, mean->Linear);
+        multiply(source.baseColor, mean->linear);
       }
-      if (const auto mean = this->Average(*pbr, "metallicRoughnessTexture", name))
+      if (const auto mean = this->average(*pbr, "metallicRoughnessTexture", name))
       {
-        source.Roughness *= mean->Encoded[1];
-        source.Metallic *= mean->Encoded[2];
+        source.roughness *= mean->encoded[1];
+        source.metallic *= mean->encoded[2];
       }
     }
-    this->ReadEmission(node, name, source);
+    this->readEmission(node, name, source);
     MaterialChanges changes;
-    const Material material = ConvertMaterial(source, changes);
-    this->Tell(node, name, changes);
+    const Material material = convertMaterial(source, changes);
+    this->tell(node, name, changes);
     return material;
   }
 
 private:
-  static void Multiply(std::array<double, 3>& color, const std::array<double, 3>& by)
+  static void multiply(std::array<double, 3>& color, const std::array<double, 3>& by)
   {
     for (int c = 0; c < 3; ++c)
     {
@@ -86,76 +86,76 @@ private:
     }
   }
 
-  void ReadEmission(const JsonCursor& node, const std::string& name, MetallicRoughness& source)
+  void readEmission(const JsonCursor& node, const std::string& name, MetallicRoughness& source)
   {
-    source.Luminance = Color(node, "emissiveFactor", 0.0, 1.0);
-    const auto extensions = node.Find("extensions");
-    const auto strength = extensions ? extensions->Find("KHR_materials_emissive_strength") : std::nullopt;
-    const double scale = strength ? Factor(*strength, "emissiveStrength", 1.0, 1e12) : 1.0;
-    Multiply(source.Luminance, {scale, scale, scale});
-    if (const auto mean = this->Average(node, "emissiveTexture", name))
+    source.luminance = color(node, "emissiveFactor", 0.0, 1.0);
+    const auto extensions = node.find("extensions");
+    const auto strength = extensions ? extensions->find("KHR_materials_emissive_strength") : std::nullopt;
+    const double scale = strength ? factor(*strength, "emissiveStrength", 1.0, 1e12) : 1.0;
+    multiply(source.luminance, {scale, scale, scale});
+    if (const auto mean = this->average(node, "emissiveTexture", name))
     {
-      Multiply(source.Luminance, mean->Linear);
+      multiply(source.luminance, mean->linear);
     }
-    if (LuminanceOf(source.Luminance) > 0.0)
+    if (luminanceOf(source.luminance) > 0.0)
     {
-      this->Found.Count("emissive materials", name, "exitance pi L",
+      this->Found.count("emissive materials", name, "exitance pi L",
                         "glTF gives their luminance in cd/m2; they emit by Lambert's law on the side of the normal");
     }
   }
 
-  void Tell(const JsonCursor& node, const std::string& name, const MaterialChanges& changes)
+  void tell(const JsonCursor& node, const std::string& name, const MaterialChanges& changes)
   {
-    if (changes.Limited)
+    if (changes.limited)
     {
-      this->Found.Count("reflectances", name, "scaled to a sum of 0.95",
+      this->Found.count("reflectances", name, "scaled to a sum of 0.95",
                         "diffuse and specular reflectance together exceed what any surface reflects");
     }
-    if (changes.NeutralMetal)
+    if (changes.neutralMetal)
     {
-      this->Found.Count("coloured metals", name, "neutral", "a glossy lobe has no colour here: its luminance is right");
+      this->Found.count("coloured metals", name, "neutral", "a glossy lobe has no colour here: its luminance is right");
     }
-    if (changes.RoughDielectric)
+    if (changes.roughDielectric)
     {
-      this->Found.Count("rough dielectrics", name, "Lambertian",
+      this->Found.count("rough dielectrics", name, "Lambertian",
                         "from roughness 0.5 on, the 4 % that their surface reflects count as part of the base colour");
     }
-    const auto alpha = node.Find("alphaMode");
-    const auto extensions = node.Find("extensions");
-    const bool transparent = extensions && (extensions->Has("KHR_materials_transmission") ||
-                                            extensions->Has("KHR_materials_diffuse_transmission"));
-    if (transparent || (alpha && alpha->String() != "OPAQUE"))
+    const auto alpha = node.find("alphaMode");
+    const auto extensions = node.find("extensions");
+    const bool transparent = extensions && (extensions->has("KHR_materials_transmission") ||
+                                            extensions->has("KHR_materials_diffuse_transmission"));
+    if (transparent || (alpha && alpha->string() != "OPAQUE"))
     {
-      this->Found.Count("transparent materials", name, "opaque", "nothing is modelled that passes light");
+      this->Found.count("transparent materials", name, "opaque", "nothing is modelled that passes light");
     }
   }
 
   /** The mean colour of a texture, if there is one that can be read. */
-  const AverageColor* Average(const JsonCursor& holder, const char* key, const std::string& material)
+  const AverageColor* average(const JsonCursor& holder, const char* key, const std::string& material)
   {
-    const auto info = holder.Find(key);
+    const auto info = holder.find(key);
     if (!info)
     {
       return nullptr;
     }
-    const JsonCursor& texture = this->File.Element(info->At("index"), "textures");
+    const JsonCursor& texture = this->File.element(info->at("index"), "textures");
     std::string problem = "it has no image in PNG or JPEG";
-    if (const auto source = texture.Find("source"))
+    if (const auto source = texture.find("source"))
     {
-      const std::size_t image = this->File.Index(*source, "images");
+      const std::size_t image = this->File.index(*source, "images");
       auto found = this->Images.find(image);
       if (found == this->Images.end())
       {
-        const Bytes bytes = this->File.Image(this->File.Section("images")[image]);
-        found = this->Images.emplace(image, ReadAverageColor(bytes.Data, bytes.Size, problem)).first;
+        const Bytes bytes = this->File.image(this->File.section("images")[image]);
+        found = this->Images.emplace(image, readAverageColor(bytes.data, bytes.size, problem)).first;
       }
       if (found->second)
       {
-        this->Found.Count("textures", material, "their mean colour", "a surface has one reflectance all over");
+        this->Found.count("textures", material, "their mean colour", "a surface has one reflectance all over");
         return &*found->second;
       }
     }
-    this->Found.Count("textures that can not be read", material, "left out", "the factor alone counts; " + problem);
+    this->Found.count("textures that can not be read", material, "left out", "the factor alone counts; " + problem);
     return nullptr;
   }
 
@@ -165,15 +165,15 @@ private:
 };
 }  // namespace
 
-std::vector<Material> ReadGltfMaterials(const GltfFile& file, const Materials& overrides, Notes& notes)
+std::vector<Material> readGltfMaterials(const GltfFile& file, const Materials& overrides, Notes& notes)
 {
   std::vector<Material> materials;
   Reader reader(file, notes);
-  for (const JsonCursor& node : file.Section("materials"))
+  for (const JsonCursor& node : file.section("materials"))
   {
-    const auto name = node.Find("name");
-    const auto given = name ? overrides.find(name->String()) : overrides.end();
-    materials.push_back(given != overrides.end() ? given->second : reader.Read(node));
+    const auto name = node.find("name");
+    const auto given = name ? overrides.find(name->string()) : overrides.end();
+    materials.push_back(given != overrides.end() ? given->second : reader.read(node));
   }
   return materials;
 }

@@ -15,7 +15,7 @@ namespace kalos::scene
  * One material each of the file's, or the one of `overrides` that has its name. Textures count by their mean colour
  * times the factor beside them. What is approximated is added to `notes`.
  */
-std::vector<Material> ReadGltfMaterials(const GltfFile& file, const Materials& overrides, Notes& notes);
+std::vector<Material> readGltfMaterials(const GltfFile& file, const Materials& overrides, Notes& notes);
 }  // namespace kalos::scene
 
 #endif

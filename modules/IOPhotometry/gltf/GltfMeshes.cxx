@@ -15,13 +15,13 @@ enum Mode
 };
 
 /** The corners of all triangles of a primitive, from the order of its points. */
-std::vector<std::array<std::uint32_t, 3>> Assemble(const JsonCursor& primitive, int mode,
+std::vector<std::array<std::uint32_t, 3>> assemble(const JsonCursor& primitive, int mode,
                                                    const std::vector<std::uint32_t>& order)
 {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   if (order.size() < 3 || (mode == Triangles && order.size() % 3 != 0))
   {
-    primitive.Fail(std::to_string(order.size()) + " corners; expected " +
+    primitive.fail(std::to_string(order.size()) + " corners; expected " +
                    (mode == Triangles ? "three for each triangle" : "at least 3"));
   }
   if (mode == Triangles)
@@ -42,71 +42,71 @@ std::vector<std::array<std::uint32_t, 3>> Assemble(const JsonCursor& primitive, 
   return triangles;
 }
 
-Transform FromParts(const Vector3& translation, const std::array<double, 4>& q, const Vector3& scale)
+Transform fromParts(const Vector3& translation, const std::array<double, 4>& q, const Vector3& scale)
 {
   const double length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
   const double s = length > 0.0 ? 2.0 / length : 0.0;
   const double x = q[0], y = q[1], z = q[2], w = q[3];
   Transform map;
-  map.Axes[0] = scale[0] * Vector3{1.0 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w)};
-  map.Axes[1] = scale[1] * Vector3{s * (x * y - z * w), 1.0 - s * (x * x + z * z), s * (y * z + x * w)};
-  map.Axes[2] = scale[2] * Vector3{s * (x * z + y * w), s * (y * z - x * w), 1.0 - s * (x * x + y * y)};
-  map.Origin = translation;
+  map.axes[0] = scale[0] * Vector3{1.0 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w)};
+  map.axes[1] = scale[1] * Vector3{s * (x * y - z * w), 1.0 - s * (x * x + z * z), s * (y * z + x * w)};
+  map.axes[2] = scale[2] * Vector3{s * (x * z + y * w), s * (y * z - x * w), 1.0 - s * (x * x + y * y)};
+  map.origin = translation;
   return map;
 }
 
-std::vector<double> Numbers(const JsonCursor& array, std::size_t count)
+std::vector<double> readNumbers(const JsonCursor& array, std::size_t count)
 {
   std::vector<double> numbers;
-  for (const JsonCursor& item : array.Items())
+  for (const JsonCursor& item : array.items())
   {
-    numbers.push_back(item.Number());
+    numbers.push_back(item.number());
   }
   if (numbers.size() != count)
   {
-    array.FailExpected(std::to_string(count) + " numbers");
+    array.failExpected(std::to_string(count) + " numbers");
   }
   return numbers;
 }
 
-Transform FromMatrix(const JsonCursor& matrix)
+Transform fromMatrix(const JsonCursor& matrix)
 {
-  const std::vector<double> m = Numbers(matrix, 16);
+  const std::vector<double> m = readNumbers(matrix, 16);
   if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0)
   {
-    matrix.Fail("a projection; expected 0, 0, 0, 1 in the last row");
+    matrix.fail("a projection; expected 0, 0, 0, 1 in the last row");
   }
   Transform map;
-  map.Axes = {{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}}};
-  map.Origin = {m[12], m[13], m[14]};
+  map.axes = {{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}}};
+  map.origin = {m[12], m[13], m[14]};
   return map;
 }
 }  // namespace
 
-void GltfMeshes::ReadPrimitive(const JsonCursor& primitive, const std::string& name, GltfMesh& mesh)
+void GltfMeshes::readPrimitive(const JsonCursor& primitive, const std::string& name, GltfMesh& mesh)
 {
-  const auto given = primitive.Find("mode");
-  const int mode = given ? given->Integer(0, 6) : Triangles;
-  const auto position = primitive.At("attributes").Find("POSITION");
+  const auto given = primitive.find("mode");
+  const int mode = given ? given->integer(0, 6) : Triangles;
+  const auto position = primitive.at("attributes").find("POSITION");
   if (mode < Triangles || !position)
   {
-    this->Found.Count("meshes of points or lines", name, "left out", "they have no area");
+    this->Found.count("meshes of points or lines", name, "left out", "they have no area");
     return;
   }
-  if (primitive.Has("targets"))
+  if (primitive.has("targets"))
   {
-    this->Found.Count("morphed meshes", name, "in their first shape", "nothing moves here");
+    this->Found.count("morphed meshes", name, "in their first shape", "nothing moves here");
   }
-  const std::vector<Vector3> points = ReadPoints(this->File, *position);
+  const std::vector<Vector3> points = readPoints(this->File, *position);
   std::vector<std::uint32_t> order;
-  if (const auto indices = primitive.Find("indices"))
+  if (const auto indices = primitive.find("indices"))
   {
-    order = ReadIndices(this->File, *indices);
+    order = readIndices(this->File, *indices);
     for (const std::uint32_t i : order)
     {
       if (i >= points.size())
       {
-        indices->Fail("point " + std::to_string(i) + " is named; expected one of the " + std::to_string(points.size()));
+        indices->fail("point " + std::to_string(i) + " is named; expected one of the " + std::to_string(points.size()));
       }
     }
   }
@@ -117,73 +117,73 @@ void GltfMeshes::ReadPrimitive(const JsonCursor& primitive, const std::string& n
       order.push_back(i);
     }
   }
-  const auto number = primitive.Find("material");
-  const std::int32_t material = number ? static_cast<std::int32_t>(this->File.Index(*number, "materials")) : -1;
-  const auto triangles = Assemble(primitive, mode, order);
-  if (mesh.Triangles.size() + triangles.size() > MaximumTriangles ||
-      mesh.Points.size() + points.size() > 3 * MaximumTriangles)
+  const auto number = primitive.find("material");
+  const std::int32_t material = number ? static_cast<std::int32_t>(this->File.index(*number, "materials")) : -1;
+  const auto triangles = assemble(primitive, mode, order);
+  if (mesh.triangles.size() + triangles.size() > MaximumTriangles ||
+      mesh.points.size() + points.size() > 3 * MaximumTriangles)
   {
-    primitive.Fail("too many triangles or points in one mesh; expected at most " + std::to_string(MaximumTriangles) +
+    primitive.fail("too many triangles or points in one mesh; expected at most " + std::to_string(MaximumTriangles) +
                    " triangles with three points each");
   }
-  const auto first = static_cast<std::uint32_t>(mesh.Points.size());
+  const auto first = static_cast<std::uint32_t>(mesh.points.size());
   for (const auto& t : triangles)
   {
-    mesh.Triangles.push_back({first + t[0], first + t[1], first + t[2]});
-    mesh.MaterialOf.push_back(material);
+    mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    mesh.materialOf.push_back(material);
   }
-  mesh.Points.insert(mesh.Points.end(), points.begin(), points.end());
+  mesh.points.insert(mesh.points.end(), points.begin(), points.end());
 }
 
-const GltfMesh& GltfMeshes::Read(const JsonCursor& number)
+const GltfMesh& GltfMeshes::read(const JsonCursor& number)
 {
-  const std::size_t index = this->File.Index(number, "meshes");
+  const std::size_t index = this->File.index(number, "meshes");
   const auto known = this->Known.find(index);
   if (known != this->Known.end())
   {
     return known->second;
   }
-  const JsonCursor& node = this->File.Section("meshes")[index];
-  const std::string name = node.Has("name") ? node.At("name").String() : node.Where();
+  const JsonCursor& node = this->File.section("meshes")[index];
+  const std::string name = node.has("name") ? node.at("name").string() : node.where();
   GltfMesh mesh;
-  for (const JsonCursor& primitive : node.At("primitives").Items())
+  for (const JsonCursor& primitive : node.at("primitives").items())
   {
-    this->ReadPrimitive(primitive, name, mesh);
+    this->readPrimitive(primitive, name, mesh);
   }
   return this->Known[index] = std::move(mesh);
 }
 
-Transform ReadNodeTransform(const JsonCursor& node)
+Transform readNodeTransform(const JsonCursor& node)
 {
-  if (const auto matrix = node.Find("matrix"))
+  if (const auto matrix = node.find("matrix"))
   {
-    return FromMatrix(*matrix);
+    return fromMatrix(*matrix);
   }
-  const auto translation = node.Find("translation");
-  const auto rotation = node.Find("rotation");
-  const auto scale = node.Find("scale");
+  const auto translation = node.find("translation");
+  const auto rotation = node.find("rotation");
+  const auto scale = node.find("scale");
   std::array<double, 4> q{0.0, 0.0, 0.0, 1.0};
   if (rotation)
   {
-    const std::vector<double> numbers = Numbers(*rotation, 4);
+    const std::vector<double> numbers = readNumbers(*rotation, 4);
     std::copy(numbers.begin(), numbers.end(), q.begin());
   }
-  return FromParts(translation ? translation->Vector() : Vector3{}, q,
-                   scale ? scale->Vector() : Vector3{1.0, 1.0, 1.0});
+  return fromParts(translation ? translation->vector() : Vector3{}, q,
+                   scale ? scale->vector() : Vector3{1.0, 1.0, 1.0});
 }
 
-std::vector<Transform> ReadInstances(const GltfFile& file, const JsonCursor& node)
+std::vector<Transform> readInstances(const GltfFile& file, const JsonCursor& node)
 {
-  const auto extensions = node.Find("extensions");
-  const auto instancing = extensions ? extensions->Find("EXT_mesh_gpu_instancing") : std::nullopt;
+  const auto extensions = node.find("extensions");
+  const auto instancing = extensions ? extensions->find("EXT_mesh_gpu_instancing") : std::nullopt;
   if (!instancing)
   {
     return {Transform()};
   }
-  const JsonCursor attributes = instancing->At("attributes");
+  const JsonCursor attributes = instancing->at("attributes");
   const auto read = [&](const char* key, const char* type) {
-    const auto number = attributes.Find(key);
-    return number ? ReadVectors(file, *number, type) : std::vector<double>();
+    const auto number = attributes.find(key);
+    return number ? readVectors(file, *number, type) : std::vector<double>();
   };
   const std::vector<double> places = read("TRANSLATION", "VEC3");
   const std::vector<double> turns = read("ROTATION", "VEC4");
@@ -192,7 +192,7 @@ std::vector<Transform> ReadInstances(const GltfFile& file, const JsonCursor& nod
   const auto fits = [count](std::size_t found) { return found == 0 || found == count; };
   if (!fits(places.size() / 3) || !fits(turns.size() / 4) || !fits(scales.size() / 3))
   {
-    attributes.Fail("different numbers of instances; expected as many translations as rotations and scales");
+    attributes.fail("different numbers of instances; expected as many translations as rotations and scales");
   }
   std::vector<Transform> instances;
   for (std::size_t i = 0; i < count; ++i)
@@ -206,7 +206,7 @@ std::vector<Transform> ReadInstances(const GltfFile& file, const JsonCursor& nod
       std::copy(turns.begin() + static_cast<std::ptrdiff_t>(4 * i),
                 turns.begin() + static_cast<std::ptrdiff_t>(4 * i + 4), q.begin());
     }
-    instances.push_back(FromParts(vector(places, 0.0), q, vector(scales, 1.0)));
+    instances.push_back(fromParts(vector(places, 0.0), q, vector(scales, 1.0)));
   }
   return instances;
 }

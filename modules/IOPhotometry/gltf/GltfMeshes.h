@@ -19,9 +19,9 @@ constexpr std::size_t MaximumTriangles = 10000000;  ///< of a mesh, and over all
 /** Triangles of one mesh in its own coordinates; MaterialOf counts the file's materials, -1 for none. */
 struct GltfMesh
 {
-  std::vector<Vector3> Points;
-  std::vector<std::array<std::uint32_t, 3>> Triangles;
-  std::vector<std::int32_t> MaterialOf;
+  std::vector<Vector3> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::int32_t> materialOf;
 };
 
 class GltfMeshes
@@ -30,10 +30,10 @@ public:
   GltfMeshes(const GltfFile& file, Notes& notes) : File(file), Found(notes) {}
 
   /** The mesh that `number` names, read once. */
-  const GltfMesh& Read(const JsonCursor& number);
+  const GltfMesh& read(const JsonCursor& number);
 
 private:
-  void ReadPrimitive(const JsonCursor& primitive, const std::string& name, GltfMesh& mesh);
+  void readPrimitive(const JsonCursor& primitive, const std::string& name, GltfMesh& mesh);
 
   const GltfFile& File;
   NoteCounter Found;
@@ -41,10 +41,10 @@ private:
 };
 
 /** The map of a node: its matrix, or translation, rotation and scale. */
-Transform ReadNodeTransform(const JsonCursor& node);
+Transform readNodeTransform(const JsonCursor& node);
 
 /** The places of EXT_mesh_gpu_instancing relative to the node; one that changes nothing if the node has none. */
-std::vector<Transform> ReadInstances(const GltfFile& file, const JsonCursor& node);
+std::vector<Transform> readInstances(const GltfFile& file, const JsonCursor& node);
 }  // namespace kalos::scene
 
 #endif

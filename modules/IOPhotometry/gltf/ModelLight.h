@@ -19,13 +19,13 @@ struct ModelLight
     Parallel  ///< Strength is the illuminance across the rays, lx
   };
 
-  std::string Name;
-  Kind Type = Kind::Point;
-  double Strength = 0.0;
-  double InnerAngle = 0.0;  ///< of a spot, from the aim to where it begins to fade, rad
-  double OuterAngle = 0.0;  ///< of a spot, to where it is dark, rad
-  Vector3 Position{};       ///< m
-  Vector3 Aim{};            ///< unit vector
+  std::string name;
+  Kind type = Kind::Point;
+  double strength = 0.0;
+  double innerAngle = 0.0;  ///< of a spot, from the aim to where it begins to fade, rad
+  double outerAngle = 0.0;  ///< of a spot, to where it is dark, rad
+  Vector3 position{};       ///< m
+  Vector3 aim{};            ///< unit vector
 };
 }  // namespace kalos::scene
 

@@ -11,7 +11,7 @@ namespace kalos
  * Empty if every attribute of the headers lies within the file, and the data window has 1 to `mostPixels` pixels that
  * the file can hold, even all alike and compressed; else what is wrong and what is expected.
  */
-std::string CheckExrHeader(const std::string& path, double mostPixels);
+std::string checkExrHeader(const std::string& path, double mostPixels);
 }  // namespace kalos
 
 #endif

@@ -18,7 +18,7 @@ constexpr double MaximumPixels = 1e8;
 /** Red, green and blue, 8 bits each. */
 using Pixels = std::vector<unsigned char>;
 
-bool DecodePng(const unsigned char* data, std::size_t size, Pixels& pixels, std::string& problem)
+bool decodePng(const unsigned char* data, std::size_t size, Pixels& pixels, std::string& problem)
 {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
@@ -48,7 +48,7 @@ bool DecodePng(const unsigned char* data, std::size_t size, Pixels& pixels, std:
   return true;
 }
 
-bool DecodeJpeg(const unsigned char* data, std::size_t size, Pixels& pixels, std::string& problem)
+bool decodeJpeg(const unsigned char* data, std::size_t size, Pixels& pixels, std::string& problem)
 {
   const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), tjDestroy);
   int width = 0, height = 0, sampling = 0, space = 0;
@@ -72,13 +72,13 @@ bool DecodeJpeg(const unsigned char* data, std::size_t size, Pixels& pixels, std
 }
 
 /** IEC 61966-2-1. */
-double LinearOf(double encoded)
+double linearOf(double encoded)
 {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 }  // namespace
 
-std::optional<AverageColor> ReadAverageColor(const unsigned char* data, std::size_t size, std::string& problem)
+std::optional<AverageColor> readAverageColor(const unsigned char* data, std::size_t size, std::string& problem)
 {
   Pixels pixels;
   const bool png = size > 8 && std::memcmp(data, "\x89PNG", 4) == 0;
@@ -88,7 +88,7 @@ std::optional<AverageColor> ReadAverageColor(const unsigned char* data, std::siz
     problem = "it is neither PNG nor JPEG";
     return {};
   }
-  if (!(png ? DecodePng : DecodeJpeg)(data, size, pixels, problem) || pixels.empty())
+  if (!(png ? decodePng : decodeJpeg)(data, size, pixels, problem) || pixels.empty())
   {
     return {};
   }
@@ -103,8 +103,8 @@ std::optional<AverageColor> ReadAverageColor(const unsigned char* data, std::siz
     for (int value = 0; value < 256; ++value)
     {
       const double share = static_cast<double>(counts[c][value]) / (static_cast<double>(pixels.size()) / 3.0);
-      average.Encoded[c] += share * value / 255.0;
-      average.Linear[c] += share * LinearOf(value / 255.0);
+      average.encoded[c] += share * value / 255.0;
+      average.linear[c] += share * linearOf(value / 255.0);
     }
   }
   return average;

@@ -11,12 +11,12 @@ namespace kalos::scene
 {
 struct AverageColor
 {
-  std::array<double, 3> Linear{};   ///< mean of the sRGB pixels in linear light, [0,1]
-  std::array<double, 3> Encoded{};  ///< mean of the pixels as they stand, [0,1], for textures that are no colours
+  std::array<double, 3> linear{};   ///< mean of the sRGB pixels in linear light, [0,1]
+  std::array<double, 3> encoded{};  ///< mean of the pixels as they stand, [0,1], for textures that are no colours
 };
 
 /** Of a PNG or JPEG image in memory; none for other formats and damaged images, the reason in `problem`. */
-std::optional<AverageColor> ReadAverageColor(const unsigned char* data, std::size_t size, std::string& problem);
+std::optional<AverageColor> readAverageColor(const unsigned char* data, std::size_t size, std::string& problem);
 }  // namespace kalos::scene
 
 #endif

@@ -11,10 +11,10 @@ namespace kalos::scene
 {
 struct MetallicRoughness
 {
-  std::array<double, 3> BaseColor{1.0, 1.0, 1.0};  ///< linear Rec. 709, [0,1]
-  double Metallic = 1.0;                           ///< [0,1]
-  double Roughness = 1.0;                          ///< [0,1]
-  std::array<double, 3> Luminance{};               ///< emitted, cd/m² per band
+  std::array<double, 3> baseColor{1.0, 1.0, 1.0};  ///< linear Rec. 709, [0,1]
+  double metallic = 1.0;                           ///< [0,1]
+  double roughness = 1.0;                          ///< [0,1]
+  std::array<double, 3> luminance{};               ///< emitted, cd/m² per band
 };
 
 /** Total reflectance at normal incidence that no model may exceed; the best of white paints stay below. */
@@ -26,9 +26,9 @@ constexpr double RoughSurface = 0.5;
 /** What a conversion had to change. */
 struct MaterialChanges
 {
-  bool Limited = false;          ///< reflected more than MaximumReflectance
-  bool NeutralMetal = false;     ///< a coloured metal, whose lobe is neutral here
-  bool RoughDielectric = false;  ///< see RoughSurface
+  bool limited = false;          ///< reflected more than MaximumReflectance
+  bool neutralMetal = false;     ///< a coloured metal, whose lobe is neutral here
+  bool roughDielectric = false;  ///< see RoughSurface
 };
 
 /**
@@ -36,14 +36,14 @@ struct MaterialChanges
  * metallic Y(base colour) of the same roughness, or below roughness 0.02 a perfect mirror; exitance pi L. One band if
  * all colours are neutral.
  */
-Material ConvertMaterial(const MetallicRoughness& source, MaterialChanges& changes);
+Material convertMaterial(const MetallicRoughness& source, MaterialChanges& changes);
 
 /** Luminance of a linear Rec. 709 colour. */
-double LuminanceOf(const std::array<double, 3>& color);
+double luminanceOf(const std::array<double, 3>& color);
 /** The components as bands, or one of them if they are equal. */
-std::vector<double> BandsOf(const std::array<double, 3>& color);
+std::vector<double> bandsOf(const std::array<double, 3>& color);
 /** Scale reflectance, specular and mirror so that their sum is within MaximumReflectance; whether that was needed. */
-bool LimitReflectance(Material& material);
+bool limitReflectance(Material& material);
 }  // namespace kalos::scene
 
 #endif

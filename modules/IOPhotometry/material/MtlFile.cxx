@@ -26,16 +26,16 @@ using Color = std::array<double, 3>;
 /** The statements of one newmtl. */
 struct Entry
 {
-  std::string Name;
-  Color Kd{0.8, 0.8, 0.8};
-  Color Ks{};
-  Color Ke{};
-  double Ns = 0.0;
-  double Opacity = 1.0;
-  int Illum = 2;
-  std::optional<double> Metallic;
-  std::optional<double> Roughness;
-  std::string Texture;
+  std::string name;
+  Color kd{0.8, 0.8, 0.8};
+  Color ks{};
+  Color ke{};
+  double ns = 0.0;
+  double opacity = 1.0;
+  int illum = 2;
+  std::optional<double> metallic;
+  std::optional<double> roughness;
+  std::string texture;
 };
 
 class MtlParser
@@ -43,26 +43,26 @@ class MtlParser
 public:
   MtlParser(const std::string& path, Notes& notes) : Path(path), AllNotes(notes), Found(notes) {}
 
-  Materials Parse()
+  Materials parse()
   {
     std::ifstream file(this->Path, std::ios::binary);
     std::string line;
     while (std::getline(file, line))
     {
       ++this->LineNumber;
-      this->ParseLine(line.substr(0, line.find_first_of("#\r")));
+      this->parseLine(line.substr(0, line.find_first_of("#\r")));
     }
-    this->Finish();
+    this->finish();
     return std::move(this->Result);
   }
 
 private:
-  [[noreturn]] void Fail(const std::string& what) const
+  [[noreturn]] void fail(const std::string& what) const
   {
     throw InputError(this->Path, "line " + std::to_string(this->LineNumber), what);
   }
 
-  void ParseLine(const std::string& line)
+  void parseLine(const std::string& line)
   {
     std::istringstream words(line);
     words.imbue(std::locale::classic());
@@ -70,47 +70,47 @@ private:
     words >> keyword;
     if (keyword == "newmtl")
     {
-      this->Finish();
+      this->finish();
       this->Current.emplace();
-      this->Current->Name = Rest(words);
-      if (this->Current->Name.empty())
+      this->Current->name = rest(words);
+      if (this->Current->name.empty())
       {
-        this->Fail("newmtl without a name; expected the name of a material");
+        this->fail("newmtl without a name; expected the name of a material");
       }
     }
     else if (this->Current)
     {
-      this->ParseStatement(keyword, words);
+      this->parseStatement(keyword, words);
     }
   }
 
-  void ParseStatement(const std::string& keyword, std::istringstream& words)
+  void parseStatement(const std::string& keyword, std::istringstream& words)
   {
     Entry& entry = *this->Current;
     constexpr double any = std::numeric_limits<double>::max();
     if (keyword == "Kd")
-      entry.Kd = this->ReadColor(words, 1.0);
+      entry.kd = this->readColor(words, 1.0);
     else if (keyword == "Ks")
-      entry.Ks = this->ReadColor(words, 1.0);
+      entry.ks = this->readColor(words, 1.0);
     else if (keyword == "Ke")
-      entry.Ke = this->ReadColor(words, any);
+      entry.ke = this->readColor(words, any);
     else if (keyword == "Ns")
-      entry.Ns = this->ReadNumber(words, any);
+      entry.ns = this->readNumber(words, any);
     else if (keyword == "d")
-      entry.Opacity = this->ReadNumber(words, 1.0);
+      entry.opacity = this->readNumber(words, 1.0);
     else if (keyword == "Tr")
-      entry.Opacity = 1.0 - this->ReadNumber(words, 1.0);
+      entry.opacity = 1.0 - this->readNumber(words, 1.0);
     else if (keyword == "Pm")
-      entry.Metallic = this->ReadNumber(words, 1.0);
+      entry.metallic = this->readNumber(words, 1.0);
     else if (keyword == "Pr")
-      entry.Roughness = this->ReadNumber(words, 1.0);
+      entry.roughness = this->readNumber(words, 1.0);
     else if (keyword == "illum")
-      entry.Illum = static_cast<int>(this->ReadNumber(words, 10.0));
+      entry.illum = static_cast<int>(this->readNumber(words, 10.0));
     else if (keyword == "map_Kd")
-      entry.Texture = Rest(words);
+      entry.texture = rest(words);
   }
 
-  static std::string Rest(std::istringstream& words)
+  static std::string rest(std::istringstream& words)
   {
     std::string rest;
     std::getline(words >> std::ws, rest);
@@ -118,101 +118,101 @@ private:
     return rest;
   }
 
-  double ReadNumber(std::istringstream& words, double highest)
+  double readNumber(std::istringstream& words, double highest)
   {
     double number = 0.0;
     if (!(words >> number) || !(number >= 0.0 && number <= highest))
     {
-      this->Fail("no number, or one that is out of range; expected at least 0" +
+      this->fail("no number, or one that is out of range; expected at least 0" +
                  (highest < 100.0 ? " and at most " + std::to_string(static_cast<int>(highest)) : std::string()));
     }
     return number;
   }
 
   /** Three numbers, or one for all. */
-  Color ReadColor(std::istringstream& words, double highest)
+  Color readColor(std::istringstream& words, double highest)
   {
     Color color{};
-    color.fill(this->ReadNumber(words, highest));
+    color.fill(this->readNumber(words, highest));
     if (!(words >> std::ws).eof())
     {
-      color[1] = this->ReadNumber(words, highest);
-      color[2] = this->ReadNumber(words, highest);
+      color[1] = this->readNumber(words, highest);
+      color[2] = this->readNumber(words, highest);
     }
     return color;
   }
 
-  void Finish()
+  void finish()
   {
     if (!this->Current)
     {
       return;
     }
     Entry& entry = *this->Current;
-    this->MultiplyByTexture(entry);
+    this->multiplyByTexture(entry);
     Material material;
     MaterialChanges changes;
-    if (entry.Metallic || entry.Roughness)
+    if (entry.metallic || entry.roughness)
     {
       material =
-          ConvertMaterial({entry.Kd, entry.Metallic.value_or(0.0), entry.Roughness.value_or(1.0), entry.Ke}, changes);
+          convertMaterial({entry.kd, entry.metallic.value_or(0.0), entry.roughness.value_or(1.0), entry.ke}, changes);
     }
     else
     {
-      material = this->ConvertPhong(entry, changes);
+      material = this->convertPhong(entry, changes);
     }
-    if (changes.Limited)
+    if (changes.limited)
     {
-      this->Found.Count("reflectances", entry.Name, "scaled to a sum of 0.95",
+      this->Found.count("reflectances", entry.name, "scaled to a sum of 0.95",
                         "diffuse and specular reflectance together exceed what any surface reflects");
     }
-    if (LuminanceOf(entry.Ke) > 0.0)
+    if (luminanceOf(entry.ke) > 0.0)
     {
-      this->Found.Count("emissive materials", entry.Name, "exitance pi Ke", "Ke is taken as a luminance in cd/m2");
+      this->Found.count("emissive materials", entry.name, "exitance pi Ke", "Ke is taken as a luminance in cd/m2");
     }
-    if (entry.Opacity < 1.0)
+    if (entry.opacity < 1.0)
     {
-      this->Found.Count("transparent materials", entry.Name, "opaque", "nothing is modelled that passes light");
+      this->Found.count("transparent materials", entry.name, "opaque", "nothing is modelled that passes light");
     }
-    this->Result[entry.Name] = material;
+    this->Result[entry.name] = material;
     this->Current.reset();
   }
 
-  Material ConvertPhong(const Entry& entry, MaterialChanges& changes)
+  Material convertPhong(const Entry& entry, MaterialChanges& changes)
   {
     Material material;
-    Color exitance = entry.Ke;
+    Color exitance = entry.ke;
     for (double& m : exitance)
     {
       m *= 3.14159265358979323846;
     }
-    material.Reflectance = BandsOf(entry.Kd);
-    material.Exitance = BandsOf(exitance);
-    const bool reflects = entry.Illum == 3 || entry.Illum == 5 || entry.Illum == 7 || entry.Illum == 8;
+    material.reflectance = bandsOf(entry.kd);
+    material.exitance = bandsOf(exitance);
+    const bool reflects = entry.illum == 3 || entry.illum == 5 || entry.illum == 7 || entry.illum == 8;
     if (reflects)
     {
-      material.Specular = LuminanceOf(entry.Ks);
-      material.Roughness = std::max(0.02, std::pow(2.0 / (entry.Ns + 2.0), 0.25));
+      material.specular = luminanceOf(entry.ks);
+      material.roughness = std::max(0.02, std::pow(2.0 / (entry.ns + 2.0), 0.25));
     }
-    else if (LuminanceOf(entry.Ks) > 0.0)
+    else if (luminanceOf(entry.ks) > 0.0)
     {
-      this->Found.Count("highlights", entry.Name, "left out", "Ks counts where illum is 3, 5, 7 or 8");
+      this->Found.count("highlights", entry.name, "left out", "Ks counts where illum is 3, 5, 7 or 8");
     }
-    changes.Limited = LimitReflectance(material);
+    changes.limited = limitReflectance(material);
     return material;
   }
 
-  void MultiplyByTexture(Entry& entry)
+  void multiplyByTexture(Entry& entry)
   {
-    if (entry.Texture.empty())
+    if (entry.texture.empty())
     {
       return;
     }
     // Options may stand before the name.
     const std::string name =
-        entry.Texture[0] == '-' ? entry.Texture.substr(entry.Texture.rfind(' ') + 1) : entry.Texture;
+        entry.texture[0] == '-' ? entry.texture.substr(entry.texture.rfind(' ') + 1) : entry.texture;
     const std::string path =
-        ResolvePath(std::filesystem::path(this->Path).parent_path().string(), name, this->AllNotes);
+        resolvePath(std::filesystem::path(this->Path).parent_path().string(), name, this->AllNotes);
     std::error_code ignored;
     std::string content, problem = "there is no file " + name;
     if (std::filesystem::is_regular_file(path, ignored))
@@ -221,17 +221,17 @@ private:
       content.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
     }
     const auto* data = reinterpret_cast<const unsigned char*>(content.data());
-    const auto mean = content.empty() ? std::nullopt : ReadAverageColor(data, content.size(), problem);
+    const auto mean = content.empty() ? std::nullopt : readAverageColor(data, content.size(), problem);
     if (!mean)
     {
-      this->Found.Count("textures that can not be read", entry.Name, "left out", "Kd alone counts; " + problem);
+      this->Found.count("textures that can not be read", entry.name, "left out", "Kd alone counts; " + problem);
       return;
     }
     for (int c = 0; c < 3; ++c)
     {
-      entry.Kd[c] *= mean->Linear[c];
+      entry.kd[c] *= mean->linear[c];
     }
-    this->Found.Count("textures", entry.Name, "their mean colour", "a surface has one reflectance all over");
+    this->Found.count("textures", entry.name, "their mean colour", "a surface has one reflectance all over");
   }
 
   const std::string& Path;
@@ -243,8 +243,8 @@ private:
 };
 }  // namespace
 
-Materials ReadMtlFile(const std::string& path, Notes& notes)
+Materials readMtlFile(const std::string& path, Notes& notes)
 {
-  return MtlParser(path, notes).Parse();
+  return MtlParser(path, notes).parse();
 }
 }  // namespace kalos::scene

@@ -16,7 +16,7 @@ namespace kalos::scene
  * 8): a lobe of the width of Phong's exponent Ns, roughness^4 = 2/(Ns + 2). A highlight (illum 2) is no reflectance.
  * Statements that do not concern light are passed over. What is approximated is added to `notes`. Throws InputError.
  */
-Materials ReadMtlFile(const std::string& path, Notes& notes);
+Materials readMtlFile(const std::string& path, Notes& notes);
 }  // namespace kalos::scene
 
 #endif

@@ -13,83 +13,83 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 
-bool IsFinite(const Vector3& a)
+bool isFinite(const Vector3& a)
 {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
 }
 }  // namespace
 
-void Mesh::AddPolygon(const std::vector<std::int64_t>& corners, std::int32_t material)
+void Mesh::addPolygon(const std::vector<std::int64_t>& numbers, std::int32_t material)
 {
-  this->Corners.insert(this->Corners.end(), corners.begin(), corners.end());
-  this->Ends.push_back(static_cast<std::int64_t>(this->Corners.size()));
-  this->MaterialOf.push_back(material);
+  this->corners.insert(this->corners.end(), numbers.begin(), numbers.end());
+  this->ends.push_back(static_cast<std::int64_t>(this->corners.size()));
+  this->materialOf.push_back(material);
 }
 
-Vector3 Mesh::Area(std::size_t polygon) const
+Vector3 Mesh::area(std::size_t polygon) const
 {
   // Sum of the fan's triangles about the first corner; right for concave polygons too.
-  const std::int64_t begin = this->Begin(polygon);
-  const Vector3& apex = this->Points[this->Corners[begin]];
+  const std::int64_t begin = this->begin(polygon);
+  const Vector3& apex = this->points[this->corners[begin]];
   Vector3 area{};
-  for (std::int64_t i = begin + 1; i + 1 < this->Ends[polygon]; ++i)
+  for (std::int64_t i = begin + 1; i + 1 < this->ends[polygon]; ++i)
   {
-    const Vector3 a = this->Points[this->Corners[i]] - apex;
-    const Vector3 b = this->Points[this->Corners[i + 1]] - apex;
+    const Vector3 a = this->points[this->corners[i]] - apex;
+    const Vector3 b = this->points[this->corners[i + 1]] - apex;
     area = area + 0.5 * cross(a, b);
   }
   return area;
 }
 
-bool Mesh::HasArea(std::size_t polygon) const
+bool Mesh::hasArea(std::size_t polygon) const
 {
-  const std::int64_t begin = this->Begin(polygon), end = this->Ends[polygon];
+  const std::int64_t begin = this->begin(polygon), end = this->ends[polygon];
   double perimeter = 0.0;
   for (std::int64_t i = begin; i < end; ++i)
   {
-    const std::int64_t next = this->Corners[i + 1 == end ? begin : i + 1];
-    perimeter += norm(this->Points[next] - this->Points[this->Corners[i]]);
+    const std::int64_t next = this->corners[i + 1 == end ? begin : i + 1];
+    perimeter += norm(this->points[next] - this->points[this->corners[i]]);
   }
   // Relative, so that a millimetre part and a stadium are judged alike.
-  return norm(this->Area(polygon)) > 1e-13 * perimeter * perimeter;
+  return norm(this->area(polygon)) > 1e-13 * perimeter * perimeter;
 }
 
-void Mesh::TakeMaterials(const std::vector<Material>& all)
+void Mesh::takeMaterials(const std::vector<Material>& all)
 {
   std::map<std::int32_t, std::int32_t> numbers;
-  for (std::int32_t& material : this->MaterialOf)
+  for (std::int32_t& material : this->materialOf)
   {
-    const auto [known, added] = numbers.emplace(material, static_cast<std::int32_t>(this->Palette.size()));
+    const auto [known, added] = numbers.emplace(material, static_cast<std::int32_t>(this->palette.size()));
     if (added)
     {
-      this->Palette.push_back(all[material]);
+      this->palette.push_back(all[material]);
     }
     material = known->second;
   }
 }
 
-std::size_t Mesh::DropDegenerate()
+std::size_t Mesh::dropDegenerate()
 {
   const Mesh all = *this;
-  this->Corners.clear();
-  this->Ends.clear();
-  this->MaterialOf.clear();
-  for (std::size_t p = 0; p < all.NumberOfPolygons(); ++p)
+  this->corners.clear();
+  this->ends.clear();
+  this->materialOf.clear();
+  for (std::size_t p = 0; p < all.numberOfPolygons(); ++p)
   {
-    if (all.HasArea(p))
+    if (all.hasArea(p))
     {
-      this->AddPolygon({all.Corners.begin() + all.Begin(p), all.Corners.begin() + all.Ends[p]}, all.MaterialOf[p]);
+      this->addPolygon({all.corners.begin() + all.begin(p), all.corners.begin() + all.ends[p]}, all.materialOf[p]);
     }
   }
-  return all.NumberOfPolygons() - this->NumberOfPolygons();
+  return all.numberOfPolygons() - this->numberOfPolygons();
 }
 
-void Mesh::Check(const std::string& file, const char* face) const
+void Mesh::check(const std::string& file, const char* face) const
 {
-  for (std::size_t p = 0; p < this->NumberOfPolygons(); ++p)
+  for (std::size_t p = 0; p < this->numberOfPolygons(); ++p)
   {
-    const std::int64_t begin = this->Begin(p);
-    const std::int64_t end = this->Ends[p];
+    const std::int64_t begin = this->begin(p);
+    const std::int64_t end = this->ends[p];
     const auto fail = [&](const std::string& what) {
       throw InputError(file, face + (" " + std::to_string(p + 1)), what);
     };
@@ -99,33 +99,33 @@ void Mesh::Check(const std::string& file, const char* face) const
     }
     for (std::int64_t i = begin; i < end; ++i)
     {
-      const std::int64_t corner = this->Corners[i];
-      if (corner < 0 || corner >= static_cast<std::int64_t>(this->Points.size()))
+      const std::int64_t corner = this->corners[i];
+      if (corner < 0 || corner >= static_cast<std::int64_t>(this->points.size()))
       {
         fail("a corner is point " + std::to_string(corner) + "; expected one of the " +
-             std::to_string(this->Points.size()) + " points of the file");
+             std::to_string(this->points.size()) + " points of the file");
       }
-      if (!IsFinite(this->Points[corner]))
+      if (!isFinite(this->points[corner]))
       {
         fail("a corner has a coordinate that is not finite; expected metres");
       }
     }
-    if (!this->HasArea(p))
+    if (!this->hasArea(p))
     {
       fail("no area; expected a polygon that is not degenerate");
     }
   }
 }
 
-Mesh MakeQuad(const Vector3& origin, const Vector3& u, const Vector3& v)
+Mesh makeQuad(const Vector3& origin, const Vector3& u, const Vector3& v)
 {
   Mesh mesh;
-  mesh.Points = {origin, origin + u, origin + u + v, origin + v};
-  mesh.AddPolygon({0, 1, 2, 3}, -1);
+  mesh.points = {origin, origin + u, origin + u + v, origin + v};
+  mesh.addPolygon({0, 1, 2, 3}, -1);
   return mesh;
 }
 
-Mesh MakeBox(const Vector3& center, const Vector3& size, double rotationZDegrees)
+Mesh makeBox(const Vector3& center, const Vector3& size, double rotationZDegrees)
 {
   Mesh mesh;
   const double c = std::cos(rotationZDegrees * Pi / 180.0);
@@ -135,13 +135,13 @@ Mesh MakeBox(const Vector3& center, const Vector3& size, double rotationZDegrees
     const double x = ((corner & 1) ? 0.5 : -0.5) * size[0];
     const double y = ((corner & 2) ? 0.5 : -0.5) * size[1];
     const double z = ((corner & 4) ? 0.5 : -0.5) * size[2];
-    mesh.Points.push_back(center + Vector3{c * x - s * y, s * x + c * y, z});
+    mesh.points.push_back(center + Vector3{c * x - s * y, s * x + c * y, z});
   }
   // Bottom, top, front (-y), back, left (-x), right; anti-clockwise seen from outside.
   for (const auto& face :
        {std::vector<std::int64_t>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
   {
-    mesh.AddPolygon(face, -1);
+    mesh.addPolygon(face, -1);
   }
   return mesh;
 }

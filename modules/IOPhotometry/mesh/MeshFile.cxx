@@ -25,31 +25,31 @@ namespace kalos::scene
 {
 namespace
 {
-vtkSmartPointer<vtkPolyData> ReadVtp(const std::string& path)
+vtkSmartPointer<vtkPolyData> readVtp(const std::string& path)
 {
   vtkNew<vtkXMLPolyDataReader> reader;
   ErrorCatcher errors(reader);
-  reader->SetParserErrorObserver(errors.Command());
+  reader->SetParserErrorObserver(errors.command());
   reader->SetFileName(path.c_str());
   reader->Update();
-  if (!errors.Empty())
+  if (!errors.empty())
   {
-    throw InputError(path, "file", "cannot be read: " + errors.FirstLine() + "; expected an undamaged VTP file");
+    throw InputError(path, "file", "cannot be read: " + errors.firstLine() + "; expected an undamaged VTP file");
   }
   return reader->GetOutput();
 }
 
-Mesh FromPolyData(vtkPolyData* data, const std::string& path)
+Mesh fromPolyData(vtkPolyData* data, const std::string& path)
 {
   if (data->GetNumberOfVerts() + data->GetNumberOfLines() + data->GetNumberOfStrips() > 0)
   {
     throw InputError(path, "cells", "vertices, lines or strips; expected polygons only");
   }
   Mesh mesh;
-  mesh.Points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  mesh.points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    data->GetPoint(i, mesh.Points[i].data());
+    data->GetPoint(i, mesh.points[i].data());
   }
   auto cells = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
@@ -57,26 +57,26 @@ Mesh FromPolyData(vtkPolyData* data, const std::string& path)
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
     cells->GetCurrentCell(size, ids);
-    mesh.AddPolygon(std::vector<std::int64_t>(ids, ids + size), -1);
+    mesh.addPolygon(std::vector<std::int64_t>(ids, ids + size), -1);
   }
   return mesh;
 }
 
-std::vector<double> Tuple(vtkDataArray* array, vtkIdType cell)
+std::vector<double> tuple(vtkDataArray* array, vtkIdType cell)
 {
   std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfComponents()));
   array->GetTuple(cell, values.data());
   return values;
 }
 
-bool Same(const Material& a, const Material& b)
+bool same(const Material& a, const Material& b)
 {
-  return a.Reflectance == b.Reflectance && a.Exitance == b.Exitance && a.Specular == b.Specular &&
-         a.Roughness == b.Roughness && a.Mirror == b.Mirror;
+  return a.reflectance == b.reflectance && a.exitance == b.exitance && a.specular == b.specular &&
+         a.roughness == b.roughness && a.mirror == b.mirror;
 }
 
 /** Materials from the arrays that a VTP file carries. */
-void UseOwnMaterials(Mesh& mesh, vtkPolyData* data, const std::string& path)
+void useOwnMaterials(Mesh& mesh, vtkPolyData* data, const std::string& path)
 {
   using namespace vtkKalosArrayNames;
   vtkCellData* cells = data->GetCellData();
@@ -86,62 +86,62 @@ void UseOwnMaterials(Mesh& mesh, vtkPolyData* data, const std::string& path)
     vtkDataArray* array = cells->GetArray(name);
     return array ? array->GetComponent(cell, 0) : absent;
   };
-  for (std::size_t p = 0; p < mesh.NumberOfPolygons(); ++p)
+  for (std::size_t p = 0; p < mesh.numberOfPolygons(); ++p)
   {
     const auto cell = static_cast<vtkIdType>(p);
     Material material;
-    material.Reflectance = Tuple(reflectance, cell);
+    material.reflectance = tuple(reflectance, cell);
     if (exitance)
     {
-      material.Exitance = Tuple(exitance, cell);
+      material.exitance = tuple(exitance, cell);
     }
-    material.Specular = scalar(Specular, cell, 0.0);
-    material.Roughness = scalar(Roughness, cell, 1.0);
-    material.Mirror = scalar(Mirror, cell, 0.0);
-    const std::string problem = CheckMaterial(material);
+    material.specular = scalar(Specular, cell, 0.0);
+    material.roughness = scalar(Roughness, cell, 1.0);
+    material.mirror = scalar(Mirror, cell, 0.0);
+    const std::string problem = checkMaterial(material);
     if (!problem.empty())
     {
       throw InputError(path, "face " + std::to_string(p + 1), problem);
     }
     // Neighbours mostly share a material.
-    if (mesh.Palette.empty() || !Same(mesh.Palette.back(), material))
+    if (mesh.palette.empty() || !same(mesh.palette.back(), material))
     {
-      mesh.Palette.push_back(material);
+      mesh.palette.push_back(material);
     }
-    mesh.MaterialOf[p] = static_cast<std::int32_t>(mesh.Palette.size()) - 1;
+    mesh.materialOf[p] = static_cast<std::int32_t>(mesh.palette.size()) - 1;
   }
 }
 
-void UseFallback(const JsonCursor& place, Mesh& mesh, const Material* fallback)
+void useFallback(const JsonCursor& place, Mesh& mesh, const Material* fallback)
 {
-  if (std::find(mesh.MaterialOf.begin(), mesh.MaterialOf.end(), -1) == mesh.MaterialOf.end())
+  if (std::find(mesh.materialOf.begin(), mesh.materialOf.end(), -1) == mesh.materialOf.end())
   {
     return;
   }
   if (!fallback)
   {
-    place.Fail("the file has polygons without a material; expected the key \"material\" beside \"file\"");
+    place.fail("the file has polygons without a material; expected the key \"material\" beside \"file\"");
   }
-  const auto index = static_cast<std::int32_t>(mesh.Palette.size());
-  mesh.Palette.push_back(*fallback);
-  std::replace(mesh.MaterialOf.begin(), mesh.MaterialOf.end(), -1, index);
+  const auto index = static_cast<std::int32_t>(mesh.palette.size());
+  mesh.palette.push_back(*fallback);
+  std::replace(mesh.materialOf.begin(), mesh.materialOf.end(), -1, index);
 }
 
-Mesh ReadObj(const std::string& path, const Materials& materials, Notes& notes)
+Mesh readObj(const std::string& path, const Materials& materials, Notes& notes)
 {
-  ObjFile file = ReadObjFile(path);
-  file.Polygons.Palette = FindObjMaterials(path, file, materials, notes);
-  return std::move(file.Polygons);
+  ObjFile file = readObjFile(path);
+  file.polygons.palette = findObjMaterials(path, file, materials, notes);
+  return std::move(file.polygons);
 }
 }  // namespace
 
-Mesh ReadMeshFile(const JsonCursor& place, const std::string& path, const Materials& materials,
+Mesh readMeshFile(const JsonCursor& place, const std::string& path, const Materials& materials,
                   const Material* fallback, Notes& notes)
 {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
   {
-    place.Fail("no file " + path + "; expected a mesh file, its path relative to the scene file");
+    place.fail("no file " + path + "; expected a mesh file, its path relative to the scene file");
   }
   std::string type = std::filesystem::path(path).extension().string();
   std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -149,35 +149,35 @@ Mesh ReadMeshFile(const JsonCursor& place, const std::string& path, const Materi
   Mesh mesh;
   if (type == ".obj")
   {
-    mesh = ReadObj(path, materials, notes);
+    mesh = readObj(path, materials, notes);
   }
   else if (type == ".ply")
   {
-    mesh = ReadPlyFile(path);
+    mesh = readPlyFile(path);
   }
   else if (type == ".stl")
   {
-    mesh = ReadStlFile(path);
+    mesh = readStlFile(path);
   }
   else if (type == ".vtp")
   {
-    const auto data = ReadVtp(path);
-    mesh = FromPolyData(data, path);
+    const auto data = readVtp(path);
+    mesh = fromPolyData(data, path);
     if (!fallback && data->GetCellData()->GetArray(vtkKalosArrayNames::Reflectance))
     {
-      UseOwnMaterials(mesh, data, path);
+      useOwnMaterials(mesh, data, path);
     }
   }
   else
   {
-    place.Fail("unknown mesh format '" + type + "'; expected .obj, .ply, .stl or .vtp");
+    place.fail("unknown mesh format '" + type + "'; expected .obj, .ply, .stl or .vtp");
   }
-  if (mesh.NumberOfPolygons() == 0)
+  if (mesh.numberOfPolygons() == 0)
   {
     throw InputError(path, "file", "no polygons; expected at least one");
   }
-  mesh.Check(path, "face");
-  UseFallback(place, mesh, fallback);
+  mesh.check(path, "face");
+  useFallback(place, mesh, fallback);
   return mesh;
 }
 }  // namespace kalos::scene

@@ -18,7 +18,7 @@ namespace kalos::scene
  * file; `fallback`, if given; the VTP's own cell arrays (Reflectance, Exitance, Specular, Roughness, Mirror). None of
  * them is an error.
  */
-Mesh ReadMeshFile(const JsonCursor& place, const std::string& path, const Materials& materials,
+Mesh readMeshFile(const JsonCursor& place, const std::string& path, const Materials& materials,
                   const Material* fallback, Notes& notes);
 }  // namespace kalos::scene
 

@@ -17,9 +17,9 @@ namespace
 class ObjParser
 {
 public:
-  explicit ObjParser(const std::string& path) : Path(path) { this->Result.ObjectNames.emplace_back(); }
+  explicit ObjParser(const std::string& path) : Path(path) { this->Result.objectNames.emplace_back(); }
 
-  ObjFile Parse()
+  ObjFile parse()
   {
     std::ifstream file(this->Path, std::ios::binary);
     std::string line;
@@ -37,19 +37,19 @@ public:
         continued += line;
         continue;
       }
-      this->ParseLine(continued + line);
+      this->parseLine(continued + line);
       continued.clear();
     }
     return std::move(this->Result);
   }
 
 private:
-  [[noreturn]] void Fail(const std::string& what) const
+  [[noreturn]] void fail(const std::string& what) const
   {
     throw InputError(this->Path, "line " + std::to_string(this->LineNumber), what);
   }
 
-  void ParseLine(const std::string& line)
+  void parseLine(const std::string& line)
   {
     std::istringstream words(line.substr(0, line.find('#')));
     words.imbue(std::locale::classic());
@@ -64,60 +64,60 @@ private:
       Vector3 point;
       if (!(words >> point[0] >> point[1] >> point[2]))
       {
-        this->Fail("a vertex without three numbers; expected v X Y Z");
+        this->fail("a vertex without three numbers; expected v X Y Z");
       }
-      this->Result.Polygons.Points.push_back(point);
+      this->Result.polygons.points.push_back(point);
     }
     else if (keyword == "f")
     {
-      this->ParseFace(words);
+      this->parseFace(words);
     }
     else if (keyword == "usemtl")
     {
-      this->UseMaterial(words);
+      this->useMaterial(words);
     }
     else if (keyword == "mtllib")
     {
-      Number(this->Result.Libraries, this->Libraries, Rest(words));
+      number(this->Result.libraries, this->Libraries, rest(words));
     }
     else if (keyword == "o" || keyword == "g")
     {
-      this->BeginObject(keyword, Rest(words));
+      this->beginObject(keyword, rest(words));
     }
     else if (std::find(std::begin(ignored), std::end(ignored), keyword) == std::end(ignored))
     {
-      this->Fail("unknown statement '" + Quotable(keyword) + "'; expected v, f, usemtl or another of a polygon mesh");
+      this->fail("unknown statement '" + quotable(keyword) + "'; expected v, f, usemtl or another of a polygon mesh");
     }
   }
 
-  void ParseFace(std::istringstream& words)
+  void parseFace(std::istringstream& words)
   {
     std::vector<std::int64_t> corners;
     std::string word;
     while (words >> word)
     {
       const std::string digits = word.substr(0, word.find('/'));
-      const auto count = static_cast<std::int64_t>(this->Result.Polygons.Points.size());
+      const auto count = static_cast<std::int64_t>(this->Result.polygons.points.size());
       std::int64_t index = 0;
       std::istringstream number(digits);
       number.imbue(std::locale::classic());
       if (!(number >> index) || number.peek() != std::istringstream::traits_type::eof() || index == 0 ||
           index > count || index < -count)
       {
-        this->Fail("a face corner '" + Quotable(digits) + "'; expected a vertex number from 1 to " +
+        this->fail("a face corner '" + quotable(digits) + "'; expected a vertex number from 1 to " +
                    std::to_string(count));
       }
       corners.push_back(index > 0 ? index - 1 : count + index);
     }
     if (corners.size() < 3)
     {
-      this->Fail("a face with " + std::to_string(corners.size()) + " corners; expected at least 3");
+      this->fail("a face with " + std::to_string(corners.size()) + " corners; expected at least 3");
     }
-    this->Result.Polygons.AddPolygon(corners, this->Material);
-    this->Result.ObjectOf.push_back(this->Object);
+    this->Result.polygons.addPolygon(corners, this->Material);
+    this->Result.objectOf.push_back(this->Object);
   }
 
-  static std::string Rest(std::istringstream& words)
+  static std::string rest(std::istringstream& words)
   {
     std::string rest;
     std::getline(words >> std::ws, rest);
@@ -126,7 +126,7 @@ private:
   }
 
   /** The index of a name in a list, which gets it if it is new. */
-  static std::size_t Number(std::vector<std::string>& names, std::map<std::string, std::size_t>& known,
+  static std::size_t number(std::vector<std::string>& names, std::map<std::string, std::size_t>& known,
                             const std::string& name)
   {
     const auto [found, added] = known.emplace(name, names.size());
@@ -137,23 +137,23 @@ private:
     return found->second;
   }
 
-  void UseMaterial(std::istringstream& words)
+  void useMaterial(std::istringstream& words)
   {
-    const std::string name = Rest(words);
+    const std::string name = rest(words);
     if (name.empty())
     {
-      this->Fail("usemtl without a name; expected the name of a material");
+      this->fail("usemtl without a name; expected the name of a material");
     }
-    this->Material = static_cast<std::int32_t>(Number(this->Result.MaterialNames, this->Materials, name));
+    this->Material = static_cast<std::int32_t>(number(this->Result.materialNames, this->Materials, name));
   }
 
   /** Groups divide a file that has no objects. */
-  void BeginObject(const std::string& keyword, const std::string& name)
+  void beginObject(const std::string& keyword, const std::string& name)
   {
     this->HasObjects = this->HasObjects || keyword == "o";
     if (keyword == "o" || !this->HasObjects)
     {
-      this->Object = Number(this->Result.ObjectNames, this->Objects, name);
+      this->Object = number(this->Result.objectNames, this->Objects, name);
     }
   }
 
@@ -169,8 +169,8 @@ private:
 };
 }  // namespace
 
-ObjFile ReadObjFile(const std::string& path)
+ObjFile readObjFile(const std::string& path)
 {
-  return ObjParser(path).Parse();
+  return ObjParser(path).parse();
 }
 }  // namespace kalos::scene

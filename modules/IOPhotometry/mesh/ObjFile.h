@@ -13,18 +13,18 @@ namespace kalos::scene
 {
 struct ObjFile
 {
-  Mesh Polygons;                           ///< MaterialOf indexes MaterialNames, -1 before the first usemtl
-  std::vector<std::string> MaterialNames;  ///< of usemtl
-  std::vector<std::string> Libraries;      ///< of mtllib
-  std::vector<std::string> ObjectNames;    ///< of o, or of g while no o was met; the first may be empty
-  std::vector<std::size_t> ObjectOf;       ///< of each polygon in ObjectNames
+  Mesh polygons;                           ///< MaterialOf indexes MaterialNames, -1 before the first usemtl
+  std::vector<std::string> materialNames;  ///< of usemtl
+  std::vector<std::string> libraries;      ///< of mtllib
+  std::vector<std::string> objectNames;    ///< of o, or of g while no o was met; the first may be empty
+  std::vector<std::size_t> objectOf;       ///< of each polygon in ObjectNames
 };
 
 /**
  * Read v, f (polygons of any size, negative indices, a/b/c forms), usemtl, mtllib, o and g. Texture coordinates,
  * normals, smoothing, lines and points do not concern light and are passed over; anything else is an error.
  */
-ObjFile ReadObjFile(const std::string& path);
+ObjFile readObjFile(const std::string& path);
 }  // namespace kalos::scene
 
 #endif

@@ -12,7 +12,7 @@ namespace kalos::scene
  * The materials that the OBJ at `path` names, in its order: from `overrides`, else from its libraries. A name that is
  * nowhere is an error.
  */
-std::vector<Material> FindObjMaterials(const std::string& path, const ObjFile& file, const Materials& overrides,
+std::vector<Material> findObjMaterials(const std::string& path, const ObjFile& file, const Materials& overrides,
                                        Notes& notes);
 }  // namespace kalos::scene
 

@@ -27,7 +27,7 @@ enum class Type
   None
 };
 
-Type TypeOf(const std::string& name)
+Type typeOf(const std::string& name)
 {
   static const char* const names[][2] = {{"char", "int8"},     {"uchar", "uint8"},   {"short", "int16"},
                                          {"ushort", "uint16"}, {"int", "int32"},     {"uint", "uint32"},
@@ -44,16 +44,16 @@ Type TypeOf(const std::string& name)
 
 struct Property
 {
-  std::string Name;
-  Type Item = Type::None;
-  Type Count = Type::None;  ///< of a list; None for a scalar
+  std::string name;
+  Type item = Type::None;
+  Type count = Type::None;  ///< of a list; None for a scalar
 };
 
 struct Element
 {
-  std::string Name;
-  std::int64_t Size = 0;
-  std::vector<Property> Properties;
+  std::string name;
+  std::int64_t size = 0;
+  std::vector<Property> properties;
 };
 
 class PlyParser
@@ -61,86 +61,86 @@ class PlyParser
 public:
   explicit PlyParser(const std::string& path) : Path(path), File(path, std::ios::binary) {}
 
-  Mesh Parse()
+  Mesh parse()
   {
-    this->ParseHeader();
+    this->parseHeader();
     for (const Element& element : this->Elements)
     {
-      for (std::int64_t i = 0; i < element.Size; ++i)
+      for (std::int64_t i = 0; i < element.size; ++i)
       {
-        this->Place = element.Name + " " + std::to_string(i + 1);
-        this->ParseItem(element);
+        this->Place = element.name + " " + std::to_string(i + 1);
+        this->parseItem(element);
       }
     }
     return std::move(this->Result);
   }
 
 private:
-  [[noreturn]] void Fail(const std::string& what) const { throw InputError(this->Path, this->Place, what); }
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(this->Path, this->Place, what); }
 
-  void ParseHeader()
+  void parseHeader()
   {
     std::string line;
     bool first = true;
     bool hasFormat = false;
-    while (this->ReadHeaderLine(line))
+    while (this->readHeaderLine(line))
     {
       std::istringstream words(line);
       std::string keyword;
       words >> keyword;
       if (first != (keyword == "ply"))
       {
-        this->Fail("does not start with 'ply'; expected a PLY file");
+        this->fail("does not start with 'ply'; expected a PLY file");
       }
       first = false;
       if (keyword == "end_header")
       {
         if (!hasFormat)
         {
-          this->Fail("no format; expected ascii, binary_little_endian or binary_big_endian");
+          this->fail("no format; expected ascii, binary_little_endian or binary_big_endian");
         }
-        this->CheckElements();
+        this->checkElements();
         return;
       }
       if (keyword == "format")
       {
         hasFormat = true;
-        this->ParseFormat(words);
+        this->parseFormat(words);
       }
       else if (keyword == "element")
       {
         Element element;
-        if (!(words >> element.Name >> element.Size) || element.Size < 0)
+        if (!(words >> element.name >> element.size) || element.size < 0)
         {
-          this->Fail("a damaged element line; expected element NAME COUNT");
+          this->fail("a damaged element line; expected element NAME COUNT");
         }
         this->Elements.push_back(element);
       }
       else if (keyword == "property")
       {
-        this->ParseProperty(words);
+        this->parseProperty(words);
       }
       else if (keyword != "ply" && keyword != "comment" && keyword != "obj_info")
       {
-        this->Fail("an unknown statement; expected format, element, property, comment or end_header");
+        this->fail("an unknown statement; expected format, element, property, comment or end_header");
       }
     }
-    this->Fail("ends within the header; expected end_header");
+    this->fail("ends within the header; expected end_header");
   }
 
   /** Items without properties take no bytes, so that any number of them would be read. */
-  void CheckElements() const
+  void checkElements() const
   {
     for (const Element& element : this->Elements)
     {
-      if (element.Size > 0 && element.Properties.empty())
+      if (element.size > 0 && element.properties.empty())
       {
-        this->Fail("the element " + Quotable(element.Name) + " has no properties; expected at least one");
+        this->fail("the element " + quotable(element.name) + " has no properties; expected at least one");
       }
     }
   }
 
-  bool ReadHeaderLine(std::string& line)
+  bool readHeaderLine(std::string& line)
   {
     // A binary file without a header must not be read as one endless line.
     line.clear();
@@ -156,7 +156,7 @@ private:
     return c == '\n' && this->File.good();
   }
 
-  void ParseFormat(std::istringstream& words)
+  void parseFormat(std::istringstream& words)
   {
     std::string format;
     words >> format;
@@ -164,11 +164,11 @@ private:
     this->BigEndian = format == "binary_big_endian";
     if (!this->Ascii && !this->BigEndian && format != "binary_little_endian")
     {
-      this->Fail("an unknown format; expected ascii, binary_little_endian or binary_big_endian");
+      this->fail("an unknown format; expected ascii, binary_little_endian or binary_big_endian");
     }
   }
 
-  void ParseProperty(std::istringstream& words)
+  void parseProperty(std::istringstream& words)
   {
     std::string type;
     std::string count;
@@ -177,117 +177,117 @@ private:
     if (type == "list")
     {
       words >> count >> type;
-      property.Count = TypeOf(count);
+      property.count = typeOf(count);
     }
-    words >> property.Name;
-    property.Item = TypeOf(type);
-    const bool countIsWhole = count.empty() || property.Count < Type::Float32;
-    if (this->Elements.empty() || property.Item == Type::None || !countIsWhole || property.Name.empty())
+    words >> property.name;
+    property.item = typeOf(type);
+    const bool countIsWhole = count.empty() || property.count < Type::Float32;
+    if (this->Elements.empty() || property.item == Type::None || !countIsWhole || property.name.empty())
     {
-      this->Fail("a damaged property line; expected property TYPE NAME or property list TYPE TYPE NAME");
+      this->fail("a damaged property line; expected property TYPE NAME or property list TYPE TYPE NAME");
     }
-    this->Elements.back().Properties.push_back(property);
+    this->Elements.back().properties.push_back(property);
   }
 
-  void ParseItem(const Element& element)
+  void parseItem(const Element& element)
   {
     Vector3 point{};
     int coordinates = 0;
     std::vector<std::int64_t> corners;
     bool hasCorners = false;
-    for (const Property& property : element.Properties)
+    for (const Property& property : element.properties)
     {
-      const bool list = property.Count != Type::None;
-      const bool wanted = element.Name == "face" && list && property.Name.rfind("vertex_ind", 0) == 0;
-      const double count = list ? this->ReadNumber(property.Count) : 1.0;
+      const bool list = property.count != Type::None;
+      const bool wanted = element.name == "face" && list && property.name.rfind("vertex_ind", 0) == 0;
+      const double count = list ? this->readNumber(property.count) : 1.0;
       if (!(count >= 0.0))
       {
-        this->Fail("a list with a negative count; expected at least 0");
+        this->fail("a list with a negative count; expected at least 0");
       }
       for (double i = 0.0; i < count; ++i)
       {
-        const double value = this->ReadNumber(property.Item);
+        const double value = this->readNumber(property.item);
         if (wanted)
         {
-          corners.push_back(this->AsIndex(value));
+          corners.push_back(this->asIndex(value));
         }
-        else if (!list && property.Name.size() == 1 && property.Name[0] >= 'x' && property.Name[0] <= 'z')
+        else if (!list && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z')
         {
-          point[property.Name[0] - 'x'] = value;
+          point[property.name[0] - 'x'] = value;
           ++coordinates;
         }
       }
       hasCorners = hasCorners || wanted;
     }
-    if (element.Name == "vertex")
+    if (element.name == "vertex")
     {
       if (coordinates != 3)
       {
-        this->Fail("vertices without x, y and z; expected all three");
+        this->fail("vertices without x, y and z; expected all three");
       }
-      this->Result.Points.push_back(point);
+      this->Result.points.push_back(point);
     }
-    else if (element.Name == "face")
+    else if (element.name == "face")
     {
       if (!hasCorners)
       {
-        this->Fail("faces without the list vertex_indices; expected it");
+        this->fail("faces without the list vertex_indices; expected it");
       }
-      this->Result.AddPolygon(corners, -1);
+      this->Result.addPolygon(corners, -1);
     }
   }
 
-  std::int64_t AsIndex(double value) const
+  std::int64_t asIndex(double value) const
   {
     // Out of range becomes -1, which the mesh check names; a cast would be undefined.
     return value >= 0.0 && value < 9e15 ? static_cast<std::int64_t>(value) : -1;
   }
 
-  double ReadNumber(Type type)
+  double readNumber(Type type)
   {
     if (this->Ascii)
     {
       std::string word;
       if (!(this->File >> word))
       {
-        this->Fail("the file ends here; expected more numbers");
+        this->fail("the file ends here; expected more numbers");
       }
       char* end = nullptr;
       const double value = std::strtod(word.c_str(), &end);
       if (*end != '\0')
       {
-        this->Fail("'" + Quotable(word) + "'; expected a number");
+        this->fail("'" + quotable(word) + "'; expected a number");
       }
       return value;
     }
     switch (type)
     {
       case Type::Int8:
-        return this->ReadBinary<std::int8_t>();
+        return this->readBinary<std::int8_t>();
       case Type::UInt8:
-        return this->ReadBinary<std::uint8_t>();
+        return this->readBinary<std::uint8_t>();
       case Type::Int16:
-        return this->ReadBinary<std::int16_t>();
+        return this->readBinary<std::int16_t>();
       case Type::UInt16:
-        return this->ReadBinary<std::uint16_t>();
+        return this->readBinary<std::uint16_t>();
       case Type::Int32:
-        return this->ReadBinary<std::int32_t>();
+        return this->readBinary<std::int32_t>();
       case Type::UInt32:
-        return this->ReadBinary<std::uint32_t>();
+        return this->readBinary<std::uint32_t>();
       case Type::Float32:
-        return this->ReadBinary<float>();
+        return this->readBinary<float>();
       default:
-        return this->ReadBinary<double>();
+        return this->readBinary<double>();
     }
   }
 
   template <typename T>
-  double ReadBinary()
+  double readBinary()
   {
     char bytes[sizeof(T)];
     if (!this->File.read(bytes, sizeof(T)))
     {
-      this->Fail("the file ends here; expected more bytes");
+      this->fail("the file ends here; expected more bytes");
     }
     const std::uint16_t one = 1;
     const bool hostIsBig = *reinterpret_cast<const unsigned char*>(&one) == 0;
@@ -310,8 +310,8 @@ private:
 };
 }  // namespace
 
-Mesh ReadPlyFile(const std::string& path)
+Mesh readPlyFile(const std::string& path)
 {
-  return PlyParser(path).Parse();
+  return PlyParser(path).parse();
 }
 }  // namespace kalos::scene

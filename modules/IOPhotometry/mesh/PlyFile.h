@@ -11,7 +11,7 @@ namespace kalos::scene
 {
 /** Read the vertices' x, y, z and the faces' vertex_indices (or vertex_index); other elements and properties are passed
  * over. */
-Mesh ReadPlyFile(const std::string& path);
+Mesh readPlyFile(const std::string& path);
 }  // namespace kalos::scene
 
 #endif

@@ -16,15 +16,15 @@ namespace
 constexpr std::size_t HeaderBytes = 84;  ///< 80 of text and the count
 constexpr std::size_t FacetBytes = 50;   ///< normal, three corners, attribute
 
-void AddFacet(Mesh& mesh, const Vector3 corners[3])
+void addFacet(Mesh& mesh, const Vector3 corners[3])
 {
-  const auto first = static_cast<std::int64_t>(mesh.Points.size());
-  mesh.Points.insert(mesh.Points.end(), corners, corners + 3);
-  mesh.AddPolygon({first, first + 1, first + 2}, -1);
+  const auto first = static_cast<std::int64_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), corners, corners + 3);
+  mesh.addPolygon({first, first + 1, first + 2}, -1);
 }
 
 /** Little-endian, as the format is. */
-std::uint32_t Integer(const char* bytes)
+std::uint32_t integer(const char* bytes)
 {
   std::uint32_t value = 0;
   for (int i = 3; i >= 0; --i)
@@ -36,13 +36,13 @@ std::uint32_t Integer(const char* bytes)
 
 double Float(const char* bytes)
 {
-  const std::uint32_t bits = Integer(bytes);
+  const std::uint32_t bits = integer(bytes);
   float value;
   std::memcpy(&value, &bits, sizeof(value));
   return value;
 }
 
-Mesh ParseBinary(const std::string& content)
+Mesh parseBinary(const std::string& content)
 {
   Mesh mesh;
   for (std::size_t at = HeaderBytes; at + FacetBytes <= content.size(); at += FacetBytes)
@@ -55,13 +55,13 @@ Mesh ParseBinary(const std::string& content)
         corners[c][k] = Float(content.data() + at + 12 + 12 * c + 4 * k);
       }
     }
-    AddFacet(mesh, corners);
+    addFacet(mesh, corners);
   }
   return mesh;
 }
 
 /** facet ... vertex X Y Z, three times ... endfacet; several solids in a row are one mesh. */
-Mesh ParseText(const std::string& content, const std::string& path)
+Mesh parseText(const std::string& content, const std::string& path)
 {
   Mesh mesh;
   std::istringstream lines(content);
@@ -93,7 +93,7 @@ Mesh ParseText(const std::string& content, const std::string& path)
       {
         fail("a facet with " + std::to_string(count) + " corners; expected three");
       }
-      AddFacet(mesh, corners);
+      addFacet(mesh, corners);
       count = 0;
     }
     else if (keyword == "solid" || keyword == "endsolid")
@@ -102,7 +102,7 @@ Mesh ParseText(const std::string& content, const std::string& path)
     }
     else if (!keyword.empty() && keyword != "facet" && keyword != "outer" && keyword != "endloop")
     {
-      fail("unknown statement '" + Quotable(keyword) + "'; expected facet, vertex or another of an STL file");
+      fail("unknown statement '" + quotable(keyword) + "'; expected facet, vertex or another of an STL file");
     }
   }
   if (!complete)
@@ -114,17 +114,17 @@ Mesh ParseText(const std::string& content, const std::string& path)
 }
 }  // namespace
 
-Mesh ReadStlFile(const std::string& path)
+Mesh readStlFile(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
   const std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   // Binary files may start with "solid" too: the size tells them apart.
   const bool text = content.compare(0, 5, "solid") == 0;
   const bool hasCount = content.size() >= HeaderBytes;
-  const std::size_t expected = hasCount ? HeaderBytes + FacetBytes * std::size_t{Integer(&content[80])} : 0;
+  const std::size_t expected = hasCount ? HeaderBytes + FacetBytes * std::size_t{integer(&content[80])} : 0;
   if (hasCount && content.size() == expected)
   {
-    return ParseBinary(content);
+    return parseBinary(content);
   }
   if (!text)
   {
@@ -133,6 +133,6 @@ Mesh ReadStlFile(const std::string& path)
                          (hasCount ? std::to_string(expected) : "at least " + std::to_string(HeaderBytes)) +
                          ", or text from solid to endsolid");
   }
-  return ParseText(content, path);
+  return parseText(content, path);
 }
 }  // namespace kalos::scene

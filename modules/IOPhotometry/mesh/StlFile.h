@@ -12,7 +12,7 @@ namespace kalos::scene
 {
 /** Read the facets, three points each; the file's normals are passed over, as the order of the corners tells the side.
  */
-Mesh ReadStlFile(const std::string& path);
+Mesh readStlFile(const std::string& path);
 }  // namespace kalos::scene
 
 #endif

@@ -11,27 +11,27 @@ namespace kalos::scene
 {
 struct Transform
 {
-  std::array<Vector3, 3> Axes{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};  ///< images of the unit vectors
-  Vector3 Origin{};                                                                  ///< image of the origin
+  std::array<Vector3, 3> axes{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};  ///< images of the unit vectors
+  Vector3 origin{};                                                                  ///< image of the origin
 
-  Vector3 Direction(const Vector3& d) const
+  Vector3 direction(const Vector3& d) const
   {
-    return d[0] * this->Axes[0] + d[1] * this->Axes[1] + d[2] * this->Axes[2];
+    return d[0] * this->axes[0] + d[1] * this->axes[1] + d[2] * this->axes[2];
   }
-  Vector3 Point(const Vector3& p) const { return this->Origin + this->Direction(p); }
+  Vector3 point(const Vector3& p) const { return this->origin + this->direction(p); }
   /** This map after `inner`. */
   Transform operator*(const Transform& inner) const
   {
     Transform product;
     for (int i = 0; i < 3; ++i)
     {
-      product.Axes[i] = this->Direction(inner.Axes[i]);
+      product.axes[i] = this->direction(inner.axes[i]);
     }
-    product.Origin = this->Point(inner.Origin);
+    product.origin = this->point(inner.origin);
     return product;
   }
   /** Whether it turns right hands into left ones, and so the corners of a polygon over. */
-  bool Mirrors() const { return dot(cross(this->Axes[0], this->Axes[1]), this->Axes[2]) < 0.0; }
+  bool mirrors() const { return dot(cross(this->axes[0], this->axes[1]), this->axes[2]) < 0.0; }
 };
 }  // namespace kalos::scene
 

@@ -19,113 +19,113 @@ class Walk
 {
 public:
   Walk(const GltfFile& file, const ModelUse& use, Model& model)
-      : File(file), Use(use), Result(model), Meshes(file, model.Approximations), Found(model.Approximations)
+      : File(file), Use(use), Result(model), Meshes(file, model.approximations), Found(model.approximations)
   {
-    this->Palette = ReadGltfMaterials(file, *use.Overrides, model.Approximations);
+    this->Palette = readGltfMaterials(file, *use.overrides, model.approximations);
     this->Unnamed = static_cast<std::int32_t>(this->Palette.size());
     Material plain;
-    plain.Reflectance = {UnnamedReflectance};
-    this->Palette.push_back(use.Fallback ? *use.Fallback : plain);
+    plain.reflectance = {UnnamedReflectance};
+    this->Palette.push_back(use.fallback ? *use.fallback : plain);
   }
 
-  void Run(const std::vector<JsonCursor>& roots)
+  void run(const std::vector<JsonCursor>& roots)
   {
-    this->Visited.resize(this->File.Section("nodes").size());
-    this->Push(roots, this->Use.Place);
+    this->Visited.resize(this->File.section("nodes").size());
+    this->push(roots, this->Use.place);
     while (!this->Work.empty())
     {
       const auto [index, world] = this->Work.back();
       this->Work.pop_back();
-      this->Visit(this->File.Section("nodes")[index], world);
+      this->visit(this->File.section("nodes")[index], world);
     }
   }
 
 private:
-  void Push(const std::vector<JsonCursor>& numbers, const Transform& parent)
+  void push(const std::vector<JsonCursor>& numbers, const Transform& parent)
   {
     for (auto number = numbers.rbegin(); number != numbers.rend(); ++number)
     {
-      const std::size_t index = this->File.Index(*number, "nodes");
+      const std::size_t index = this->File.index(*number, "nodes");
       if (this->Visited[index])
       {
-        number->Fail("node " + std::to_string(index) + " is met twice; expected a tree");
+        number->fail("node " + std::to_string(index) + " is met twice; expected a tree");
       }
       this->Visited[index] = true;
-      this->Work.emplace_back(index, parent * ReadNodeTransform(this->File.Section("nodes")[index]));
+      this->Work.emplace_back(index, parent * readNodeTransform(this->File.section("nodes")[index]));
     }
   }
 
-  void Visit(const JsonCursor& node, const Transform& world)
+  void visit(const JsonCursor& node, const Transform& world)
   {
-    if (node.Has("mesh"))
+    if (node.has("mesh"))
     {
-      this->AddPart(node, world);
+      this->addPart(node, world);
     }
-    if (const auto light = ReadGltfLight(this->File, node, world, this->Found))
+    if (const auto light = readGltfLight(this->File, node, world, this->Found))
     {
-      this->Result.Lights.push_back(*light);
+      this->Result.lights.push_back(*light);
     }
-    if (const auto camera = ReadGltfCamera(this->File, node, world, this->Found))
+    if (const auto camera = readGltfCamera(this->File, node, world, this->Found))
     {
-      this->Result.Cameras.push_back(*camera);
+      this->Result.cameras.push_back(*camera);
     }
-    if (const auto children = node.Find("children"))
+    if (const auto children = node.find("children"))
     {
-      this->Push(children->Items(), world);
+      this->push(children->items(), world);
     }
   }
 
-  void AddPart(const JsonCursor& node, const Transform& world)
+  void addPart(const JsonCursor& node, const Transform& world)
   {
-    const GltfMesh& source = this->Meshes.Read(node.At("mesh"));
+    const GltfMesh& source = this->Meshes.read(node.at("mesh"));
     ModelPart part;
-    for (const JsonCursor& named : {node, this->File.Element(node.At("mesh"), "meshes")})
+    for (const JsonCursor& named : {node, this->File.element(node.at("mesh"), "meshes")})
     {
-      const auto name = named.Find("name");
-      part.Name = part.Name.empty() && name ? name->String() : part.Name;
+      const auto name = named.find("name");
+      part.name = part.name.empty() && name ? name->string() : part.name;
     }
-    if (node.Has("skin"))
+    if (node.has("skin"))
     {
-      this->Found.Count("skinned meshes", part.Name, "in their resting pose", "nothing moves here");
+      this->Found.count("skinned meshes", part.name, "in their resting pose", "nothing moves here");
     }
-    const std::vector<Transform> instances = ReadInstances(this->File, node);
-    this->Count += instances.size() * std::max(source.Triangles.size(), source.Points.size() / 3);
+    const std::vector<Transform> instances = readInstances(this->File, node);
+    this->Count += instances.size() * std::max(source.triangles.size(), source.points.size() / 3);
     if (this->Count > MaximumTriangles)
     {
-      node.Fail("too many triangles over all instances; expected at most " + std::to_string(MaximumTriangles));
+      node.fail("too many triangles over all instances; expected at most " + std::to_string(MaximumTriangles));
     }
     for (const Transform& instance : instances)
     {
-      this->AddTriangles(source, world * instance, part);
+      this->addTriangles(source, world * instance, part);
     }
-    if (part.Polygons.NumberOfPolygons() > 0)
+    if (part.polygons.numberOfPolygons() > 0)
     {
-      part.Polygons.TakeMaterials(this->Palette);
-      this->Result.Parts.push_back(std::move(part));
+      part.polygons.takeMaterials(this->Palette);
+      this->Result.parts.push_back(std::move(part));
     }
   }
 
-  void AddTriangles(const GltfMesh& source, const Transform& map, ModelPart& part)
+  void addTriangles(const GltfMesh& source, const Transform& map, ModelPart& part)
   {
-    Mesh& mesh = part.Polygons;
-    const auto first = static_cast<std::int64_t>(mesh.Points.size());
-    for (const Vector3& point : source.Points)
+    Mesh& mesh = part.polygons;
+    const auto first = static_cast<std::int64_t>(mesh.points.size());
+    for (const Vector3& point : source.points)
     {
-      mesh.Points.push_back(map.Point(point));
+      mesh.points.push_back(map.point(point));
     }
-    const bool turned = map.Mirrors();
+    const bool turned = map.mirrors();
     bool plain = false;
-    for (std::size_t t = 0; t < source.Triangles.size(); ++t)
+    for (std::size_t t = 0; t < source.triangles.size(); ++t)
     {
-      const auto& [a, b, c] = source.Triangles[t];
-      const std::int32_t material = source.MaterialOf[t];
+      const auto& [a, b, c] = source.triangles[t];
+      const std::int32_t material = source.materialOf[t];
       plain = plain || material < 0;
-      mesh.AddPolygon({first + a, first + (turned ? c : b), first + (turned ? b : c)},
+      mesh.addPolygon({first + a, first + (turned ? c : b), first + (turned ? b : c)},
                       material < 0 ? this->Unnamed : material);
     }
-    if (plain && !this->Use.Fallback)
+    if (plain && !this->Use.fallback)
     {
-      this->Found.Count(UnnamedSubject, part.Name, UnnamedChoice, UnnamedReason);
+      this->Found.count(UnnamedSubject, part.name, UnnamedChoice, UnnamedReason);
     }
   }
 
@@ -142,25 +142,25 @@ private:
 };
 
 /** The numbers of the root nodes: of the default scene, or of the first. */
-std::vector<JsonCursor> Roots(const GltfFile& file)
+std::vector<JsonCursor> roots(const GltfFile& file)
 {
-  const auto scene = file.Root().Find("scene");
-  const std::vector<JsonCursor>& scenes = file.Section("scenes");
+  const auto scene = file.root().find("scene");
+  const std::vector<JsonCursor>& scenes = file.section("scenes");
   if (!scene && scenes.empty())
   {
-    file.Root().Fail("no scenes; expected one, as a library of meshes has no place for them");
+    file.root().fail("no scenes; expected one, as a library of meshes has no place for them");
   }
-  const JsonCursor& chosen = scene ? file.Element(*scene, "scenes") : scenes.front();
-  const auto nodes = chosen.Find("nodes");
-  return nodes ? nodes->Items() : std::vector<JsonCursor>();
+  const JsonCursor& chosen = scene ? file.element(*scene, "scenes") : scenes.front();
+  const auto nodes = chosen.find("nodes");
+  return nodes ? nodes->items() : std::vector<JsonCursor>();
 }
 }  // namespace
 
-Model ReadGltfModel(const std::string& path, const ModelUse& use)
+Model readGltfModel(const std::string& path, const ModelUse& use)
 {
   Model model;
-  const GltfFile file(path, model.Approximations);
-  Walk(file, use, model).Run(Roots(file));
+  const GltfFile file(path, model.approximations);
+  Walk(file, use, model).run(roots(file));
   return model;
 }
 }  // namespace kalos::scene

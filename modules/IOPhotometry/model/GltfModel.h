@@ -10,7 +10,7 @@
 namespace kalos::scene
 {
 /** Read the default scene: a part per node with a mesh, lights and cameras. Throws InputError. */
-Model ReadGltfModel(const std::string& path, const ModelUse& use);
+Model readGltfModel(const std::string& path, const ModelUse& use);
 }  // namespace kalos::scene
 
 #endif

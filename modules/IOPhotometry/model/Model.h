@@ -16,16 +16,16 @@ namespace kalos::scene
 /** A part under a name of its own: a node of a glTF, an object of an OBJ. Every polygon has a material. */
 struct ModelPart
 {
-  std::string Name;
-  Mesh Polygons;
+  std::string name;
+  Mesh polygons;
 };
 
 struct Model
 {
-  std::vector<ModelPart> Parts;
-  std::vector<ModelLight> Lights;
-  std::vector<Camera> Cameras;
-  Notes Approximations;
+  std::vector<ModelPart> parts;
+  std::vector<ModelLight> lights;
+  std::vector<Camera> cameras;
+  Notes approximations;
 };
 }  // namespace kalos::scene
 

@@ -10,7 +10,7 @@
 namespace kalos::scene
 {
 /** A part per object ("o", or "g" where there are none). Throws InputError. */
-Model ReadObjModel(const std::string& path, const ModelUse& use);
+Model readObjModel(const std::string& path, const ModelUse& use);
 }  // namespace kalos::scene
 
 #endif

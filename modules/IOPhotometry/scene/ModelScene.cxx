@@ -27,12 +27,12 @@ namespace
 {
 constexpr double ShareOfModel = 0.05;  ///< edge length of receivers on surfaces over the size of the model
 
-vtkBoundingBox BoundsOf(const std::vector<Surface>& surfaces)
+vtkBoundingBox boundsOf(const std::vector<Surface>& surfaces)
 {
   vtkBoundingBox box;
   for (const Surface& surface : surfaces)
   {
-    for (const Vector3& point : surface.Polygons.Points)
+    for (const Vector3& point : surface.polygons.points)
     {
       box.AddPoint(point[0], point[1], point[2]);
     }
@@ -41,16 +41,16 @@ vtkBoundingBox BoundsOf(const std::vector<Surface>& surfaces)
 }
 
 /** The plane as cells, none if its grid would be too fine. */
-vtkSmartPointer<vtkPolyData> MakePlane(const WorkPlane& where)
+vtkSmartPointer<vtkPolyData> makePlane(const WorkPlane& where)
 {
-  const double u = where.High[0] - where.Low[0], v = where.High[1] - where.Low[1];
-  const auto cells = StandardGrid(u, v);
+  const double u = where.high[0] - where.low[0], v = where.high[1] - where.low[1];
+  const auto cells = standardGrid(u, v);
   if (!cells)
   {
     return nullptr;
   }
   vtkNew<vtkKalosCalculationPlane> plane;
-  plane->SetOrigin(where.Low[0], where.Low[1], where.Height);
+  plane->SetOrigin(where.low[0], where.low[1], where.height);
   plane->SetU(u, 0.0, 0.0);
   plane->SetV(0.0, v, 0.0);
   plane->SetResolution((*cells)[0], (*cells)[1]);
@@ -58,27 +58,27 @@ vtkSmartPointer<vtkPolyData> MakePlane(const WorkPlane& where)
   return plane->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> MakeAllSurfaces(const std::vector<Surface>& surfaces, double edgeLength)
+vtkSmartPointer<vtkPolyData> makeAllSurfaces(const std::vector<Surface>& surfaces, double edgeLength)
 {
   Mesh all;
   for (const Surface& surface : surfaces)
   {
-    const auto first = static_cast<std::int64_t>(all.Points.size());
-    const Mesh& mesh = surface.Polygons;
-    all.Points.insert(all.Points.end(), mesh.Points.begin(), mesh.Points.end());
-    for (std::size_t p = 0; p < mesh.NumberOfPolygons(); ++p)
+    const auto first = static_cast<std::int64_t>(all.points.size());
+    const Mesh& mesh = surface.polygons;
+    all.points.insert(all.points.end(), mesh.points.begin(), mesh.points.end());
+    for (std::size_t p = 0; p < mesh.numberOfPolygons(); ++p)
     {
       std::vector<std::int64_t> corners;
-      for (std::int64_t i = mesh.Begin(p); i < mesh.Ends[p]; ++i)
+      for (std::int64_t i = mesh.begin(p); i < mesh.ends[p]; ++i)
       {
-        corners.push_back(first + mesh.Corners[i]);
+        corners.push_back(first + mesh.corners[i]);
       }
-      all.AddPolygon(corners, 0);
+      all.addPolygon(corners, 0);
     }
   }
   try
   {
-    return MakeSurfaceReceivers(all, edgeLength, false, MaximumReceivers);
+    return makeSurfaceReceivers(all, edgeLength, false, MaximumReceivers);
   }
   catch (const std::length_error&)
   {
@@ -88,7 +88,7 @@ vtkSmartPointer<vtkPolyData> MakeAllSurfaces(const std::vector<Surface>& surface
   }
 }
 
-std::string Metres(double length)
+std::string metres(double length)
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());
@@ -97,55 +97,55 @@ std::string Metres(double length)
 }
 }  // namespace
 
-void AddModelCameras(const std::vector<Camera>& found, std::set<std::string>& names, std::vector<Camera>& cameras)
+void addModelCameras(const std::vector<Camera>& found, std::set<std::string>& names, std::vector<Camera>& cameras)
 {
   const std::vector<Camera> own = cameras;
   for (Camera camera : found)
   {
-    const bool overridden = std::any_of(own.begin(), own.end(), [&](const Camera& c) { return c.Name == camera.Name; });
+    const bool overridden = std::any_of(own.begin(), own.end(), [&](const Camera& c) { return c.name == camera.name; });
     if (!overridden)
     {
-      camera.Name = FreeName(camera.Name, "camera", names);
+      camera.name = freeName(camera.name, "camera", names);
       cameras.push_back(camera);
     }
   }
 }
 
-void AddUsualReceivers(SceneSurfaces& surfaces, std::set<std::string>& names, vtkMultiBlockDataSet* receivers)
+void addUsualReceivers(SceneSurfaces& surfaces, std::set<std::string>& names, vtkMultiBlockDataSet* receivers)
 {
-  const vtkBoundingBox box = BoundsOf(surfaces.All);
+  const vtkBoundingBox box = boundsOf(surfaces.all);
   if (!box.IsValid())
   {
     return;
   }
   double top = box.GetMaxPoint()[2];
-  for (const ModelLight& light : surfaces.Lights)
+  for (const ModelLight& light : surfaces.lights)
   {
-    top = light.Type == ModelLight::Kind::Parallel ? top : std::max(top, light.Position[2]);
+    top = light.type == ModelLight::Kind::Parallel ? top : std::max(top, light.position[2]);
   }
   vtkSmartPointer<vtkPolyData> data;
   std::string name = "workplane";
-  if (const auto plane = FindWorkPlane(surfaces.All, top))
+  if (const auto plane = findWorkPlane(surfaces.all, top))
   {
-    data = MakePlane(*plane);
-    surfaces.Approximations.push_back({"receivers", "workplane at z = " + Metres(plane->Height),
-                                       "the file gives none: 0.75 m above the floor at " + Metres(plane->Floor) +
+    data = makePlane(*plane);
+    surfaces.approximations.push_back({"receivers", "workplane at z = " + metres(plane->height),
+                                       "the file gives none: 0.75 m above the floor at " + metres(plane->floor) +
                                            ", over its extent, on the grid of EN 12464-1"});
   }
   if (!data)
   {
     name = "surfaces";
     const double edge = ShareOfModel * box.GetMaxLength();
-    data = MakeAllSurfaces(surfaces.All, edge);
-    surfaces.Approximations.push_back({"receivers", "all surfaces, in triangles of at most " + Metres(edge),
+    data = makeAllSurfaces(surfaces.all, edge);
+    surfaces.approximations.push_back({"receivers", "all surfaces, in triangles of at most " + metres(edge),
                                        "the file gives none, and no plane 0.75 m above a floor fits into the model"});
   }
   const unsigned int block = receivers->GetNumberOfBlocks();
   receivers->SetBlock(block, data);
-  receivers->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), FreeName(name, "", names).c_str());
+  receivers->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), freeName(name, "", names).c_str());
 }
 
-Ball LitBall(vtkPolyData* surfaces, vtkMultiBlockDataSet* receivers)
+Ball litBall(vtkPolyData* surfaces, vtkMultiBlockDataSet* receivers)
 {
   vtkBoundingBox box;
   if (surfaces->GetNumberOfPoints() > 0)
@@ -161,23 +161,23 @@ Ball LitBall(vtkPolyData* surfaces, vtkMultiBlockDataSet* receivers)
     }
   }
   Ball ball;
-  ball.Radius = 1.0;
+  ball.radius = 1.0;
   if (box.IsValid())
   {
-    box.GetCenter(ball.Center.data());
+    box.GetCenter(ball.center.data());
     const double diagonal = box.GetDiagonalLength();
-    ball.Radius = diagonal > 0.0 ? 0.5 * diagonal : 1.0;
+    ball.radius = diagonal > 0.0 ? 0.5 * diagonal : 1.0;
   }
   return ball;
 }
 
-void AddLightNotes(const std::vector<ModelLight>& lights, Notes& notes)
+void addLightNotes(const std::vector<ModelLight>& lights, Notes& notes)
 {
   int spots = 0, parallel = 0;
   for (const ModelLight& light : lights)
   {
-    spots += light.Type == ModelLight::Kind::Spot;
-    parallel += light.Type == ModelLight::Kind::Parallel;
+    spots += light.type == ModelLight::Kind::Spot;
+    parallel += light.type == ModelLight::Kind::Parallel;
   }
   if (spots > 0)
   {
@@ -191,14 +191,14 @@ void AddLightNotes(const std::vector<ModelLight>& lights, Notes& notes)
   }
 }
 
-void PutNotes(const Notes& notes, vtkPolyData* surfaces)
+void putNotes(const Notes& notes, vtkPolyData* surfaces)
 {
   vtkNew<vtkStringArray> table;
   table->SetName(vtkKalosArrayNames::SceneNotes);
   table->SetNumberOfComponents(3);
-  for (const Note& note : JoinFilesElsewhere(notes))
+  for (const Note& note : joinFilesElsewhere(notes))
   {
-    for (const std::string& text : {note.Subject, note.Choice, note.Reason})
+    for (const std::string& text : {note.subject, note.choice, note.reason})
     {
       table->InsertNextValue(text);
     }

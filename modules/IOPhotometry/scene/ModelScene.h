@@ -14,22 +14,22 @@
 namespace kalos::scene
 {
 /** Add the cameras of models, but those that have the name of one of the scene's own; `names` as for the receivers. */
-void AddModelCameras(const std::vector<Camera>& found, std::set<std::string>& names, std::vector<Camera>& cameras);
+void addModelCameras(const std::vector<Camera>& found, std::set<std::string>& names, std::vector<Camera>& cameras);
 
 /**
  * Receivers for a model that says nothing of them: "workplane" (see WorkPlane.h) on the grid of EN 12464-1, or where no
  * such plane fits "surfaces", all surfaces in triangles no longer than a twentieth of the model. A note says which.
  */
-void AddUsualReceivers(SceneSurfaces& surfaces, std::set<std::string>& names, vtkMultiBlockDataSet* receivers);
+void addUsualReceivers(SceneSurfaces& surfaces, std::set<std::string>& names, vtkMultiBlockDataSet* receivers);
 
 /** The ball about surfaces and receivers. */
-Ball LitBall(vtkPolyData* surfaces, vtkMultiBlockDataSet* receivers);
+Ball litBall(vtkPolyData* surfaces, vtkMultiBlockDataSet* receivers);
 
 /** Say how the kinds of lights are modelled. */
-void AddLightNotes(const std::vector<ModelLight>& lights, Notes& notes);
+void addLightNotes(const std::vector<ModelLight>& lights, Notes& notes);
 
 /** Field data array SceneNotes. */
-void PutNotes(const Notes& notes, vtkPolyData* surfaces);
+void putNotes(const Notes& notes, vtkPolyData* surfaces);
 }  // namespace kalos::scene
 
 #endif

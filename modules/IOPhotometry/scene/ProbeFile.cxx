@@ -25,7 +25,7 @@ namespace
 const char* const Header = "x,y,z,nx,ny,nz";
 
 /** Six finite numbers between commas, or false. */
-bool ParseRow(const std::string& line, std::array<double, 6>& row)
+bool parseRow(const std::string& line, std::array<double, 6>& row)
 {
   std::istringstream text(line);
   text.imbue(std::locale::classic());
@@ -41,7 +41,7 @@ bool ParseRow(const std::string& line, std::array<double, 6>& row)
 }
 
 /** The next line as far as it is not too long, which is an error; false at the end of the file. */
-bool NextLine(std::istream& file, std::string& line, const std::string& path, long long number)
+bool nextLine(std::istream& file, std::string& line, const std::string& path, long long number)
 {
   std::array<char, MaximumProbeLine + 1> buffer;
   file.getline(buffer.data(), buffer.size());
@@ -56,7 +56,7 @@ bool NextLine(std::istream& file, std::string& line, const std::string& path, lo
 }
 
 /** Make a unit vector of any finite one, even where its square is beyond the numbers; false for zero. */
-bool MakeUnit(double* vector)
+bool makeUnit(double* vector)
 {
   const double largest = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
   for (int i = 0; largest > 0.0 && i < 3; ++i)
@@ -67,12 +67,12 @@ bool MakeUnit(double* vector)
 }
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> ReadProbeFile(const JsonCursor& place, const std::string& path, std::int64_t most)
+vtkSmartPointer<vtkPolyData> readProbeFile(const JsonCursor& place, const std::string& path, std::int64_t most)
 {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
   {
-    place.Fail("no file " + path + "; expected a CSV file, its path relative to the scene file");
+    place.fail("no file " + path + "; expected a CSV file, its path relative to the scene file");
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -83,7 +83,7 @@ vtkSmartPointer<vtkPolyData> ReadProbeFile(const JsonCursor& place, const std::s
 
   std::ifstream file(path, std::ios::binary);
   std::string line;
-  for (long long number = 1; NextLine(file, line, path, number); ++number)
+  for (long long number = 1; nextLine(file, line, path, number); ++number)
   {
     const std::string where = "line " + std::to_string(number);
     line.erase(line.find_last_not_of(" \t\r") + 1);
@@ -101,17 +101,17 @@ vtkSmartPointer<vtkPolyData> ReadProbeFile(const JsonCursor& place, const std::s
     {
       continue;
     }
-    if (!ParseRow(line, row))
+    if (!parseRow(line, row))
     {
       throw InputError(path, where, std::string("not a receiver; expected six finite numbers ") + Header);
     }
-    if (!MakeUnit(&row[3]))
+    if (!makeUnit(&row[3]))
     {
       throw InputError(path, where, "the normal is zero; expected a direction");
     }
     if (points->GetNumberOfPoints() >= most)
     {
-      throw InputError(path, where, "one receiver too many; expected " + FewerReceivers(most));
+      throw InputError(path, where, "one receiver too many; expected " + fewerReceivers(most));
     }
     const vtkIdType id = points->InsertNextPoint(row.data());
     vertices->InsertNextCell(1, &id);

@@ -14,10 +14,10 @@
 namespace kalos::scene
 {
 /** The keys position, target and up of a camera or an observer. */
-Sight ReadSight(const JsonCursor& node);
+Sight readSight(const JsonCursor& node);
 
 /** Read the array "cameras"; `names` as for the receivers. */
-std::vector<Camera> ReadCameras(const JsonCursor& scene, std::set<std::string>& names);
+std::vector<Camera> readCameras(const JsonCursor& scene, std::set<std::string>& names);
 }  // namespace kalos::scene
 
 #endif

@@ -15,7 +15,7 @@ namespace kalos::scene
  * data: the candela tables, and PhotometryWarnings. `lights` of models follow, but those that have the name of one of
  * the scene's own; parallel ones reach the ball `lit`. Files that lie elsewhere are added to `notes` (FilePaths.h).
  */
-vtkSmartPointer<vtkPolyData> ReadLuminaires(const JsonCursor& scene, const std::string& folder,
+vtkSmartPointer<vtkPolyData> readLuminaires(const JsonCursor& scene, const std::string& folder,
                                             const std::vector<ModelLight>& lights, const Ball& lit, Notes& notes);
 }  // namespace kalos::scene
 

@@ -9,7 +9,7 @@
 namespace kalos::scene
 {
 /** Read the object "materials"; the sum of the three reflectances stays below 1 in every band. */
-Materials ReadMaterials(const JsonCursor& scene);
+Materials readMaterials(const JsonCursor& scene);
 }  // namespace kalos::scene
 
 #endif

@@ -20,12 +20,12 @@ namespace
 using Triangle = std::array<Vector3, 3>;
 
 /** Triangles of one polygon, which may be concave. */
-std::vector<Triangle> Triangulate(const Mesh& mesh, std::size_t polygon)
+std::vector<Triangle> triangulate(const Mesh& mesh, std::size_t polygon)
 {
-  const std::int64_t begin = mesh.Begin(polygon);
-  const auto size = static_cast<int>(mesh.Ends[polygon] - begin);
+  const std::int64_t begin = mesh.begin(polygon);
+  const auto size = static_cast<int>(mesh.ends[polygon] - begin);
   std::vector<Triangle> triangles;
-  const auto corner = [&](vtkIdType i) { return mesh.Points[mesh.Corners[begin + i]]; };
+  const auto corner = [&](vtkIdType i) { return mesh.points[mesh.corners[begin + i]]; };
   if (size == 3)
   {
     triangles.push_back({corner(0), corner(1), corner(2)});
@@ -42,7 +42,7 @@ std::vector<Triangle> Triangulate(const Mesh& mesh, std::size_t polygon)
   }
   vtkNew<vtkIdList> ids;
   shape->Triangulate(ids);
-  const Vector3 normal = mesh.Area(polygon);
+  const Vector3 normal = mesh.area(polygon);
   for (vtkIdType i = 0; i + 2 < ids->GetNumberOfIds(); i += 3)
   {
     Triangle t{corner(ids->GetId(i)), corner(ids->GetId(i + 1)), corner(ids->GetId(i + 2))};
@@ -57,7 +57,7 @@ std::vector<Triangle> Triangulate(const Mesh& mesh, std::size_t polygon)
 }
 
 /** Index of the corner opposite the longest edge, and that edge's length. */
-std::pair<int, double> LongestEdge(const Triangle& t)
+std::pair<int, double> longestEdge(const Triangle& t)
 {
   std::pair<int, double> longest{0, 0.0};
   for (int i = 0; i < 3; ++i)
@@ -71,9 +71,9 @@ std::pair<int, double> LongestEdge(const Triangle& t)
   return longest;
 }
 
-[[noreturn]] void FailTooMany(std::int64_t most)
+[[noreturn]] void failTooMany(std::int64_t most)
 {
-  throw std::length_error("a longer edge: " + FewerReceivers(most));
+  throw std::length_error("a longer edge: " + fewerReceivers(most));
 }
 
 class Output
@@ -86,11 +86,11 @@ public:
     this->Normals->SetNumberOfComponents(3);
   }
 
-  void Add(const Triangle& t, bool flip)
+  void add(const Triangle& t, bool flip)
   {
     if (this->Triangles->GetNumberOfCells() >= this->Most)
     {
-      FailTooMany(this->Most);
+      failTooMany(this->Most);
     }
     const Vector3 area = cross(t[1] - t[0], t[2] - t[0]);
     const Vector3 normal = ((flip ? -1.0 : 1.0) / norm(area)) * area;
@@ -103,7 +103,7 @@ public:
     this->Normals->InsertNextTuple(normal.data());
   }
 
-  vtkSmartPointer<vtkPolyData> Data()
+  vtkSmartPointer<vtkPolyData> data()
   {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     data->SetPoints(this->Points);
@@ -120,31 +120,31 @@ private:
 };
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> MakeSurfaceReceivers(const Mesh& mesh, double edgeLength, bool flip, std::int64_t most)
+vtkSmartPointer<vtkPolyData> makeSurfaceReceivers(const Mesh& mesh, double edgeLength, bool flip, std::int64_t most)
 {
   // No triangle is larger than the equilateral one: tell before the work what cannot work.
   double area = 0.0;
-  for (std::size_t p = 0; p < mesh.NumberOfPolygons(); ++p)
+  for (std::size_t p = 0; p < mesh.numberOfPolygons(); ++p)
   {
-    area += norm(mesh.Area(p));
+    area += norm(mesh.area(p));
   }
   if (area > 0.433 * edgeLength * edgeLength * static_cast<double>(most))
   {
-    FailTooMany(most);
+    failTooMany(most);
   }
 
   Output output(most);
-  for (std::size_t p = 0; p < mesh.NumberOfPolygons(); ++p)
+  for (std::size_t p = 0; p < mesh.numberOfPolygons(); ++p)
   {
-    std::vector<Triangle> work = Triangulate(mesh, p);
+    std::vector<Triangle> work = triangulate(mesh, p);
     while (!work.empty())
     {
       const Triangle t = work.back();
       work.pop_back();
-      const auto [apex, length] = LongestEdge(t);
+      const auto [apex, length] = longestEdge(t);
       if (length <= edgeLength)
       {
-        output.Add(t, flip);
+        output.add(t, flip);
         continue;
       }
       const Vector3& a = t[apex];
@@ -160,6 +160,6 @@ vtkSmartPointer<vtkPolyData> MakeSurfaceReceivers(const Mesh& mesh, double edgeL
       }
     }
   }
-  return output.Data();
+  return output.data();
 }
 }  // namespace kalos::scene

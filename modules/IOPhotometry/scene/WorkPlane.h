@@ -14,10 +14,10 @@ constexpr double WorkHeight = 0.75;  ///< m above the floor
 /** A horizontal rectangle, its height, and the height of the floor below it, m. */
 struct WorkPlane
 {
-  double Low[2];
-  double High[2];
-  double Height;
-  double Floor;
+  double low[2];
+  double high[2];
+  double height;
+  double floor;
 };
 
 /**
@@ -25,7 +25,7 @@ struct WorkPlane
  * horizontal faces, within 1 cm, in the lower third of the model: of faces that look up, or of all if none does. None
  * if there is no floor, or the model ends below the plane.
  */
-std::optional<WorkPlane> FindWorkPlane(const std::vector<Surface>& surfaces, double top);
+std::optional<WorkPlane> findWorkPlane(const std::vector<Surface>& surfaces, double top);
 }  // namespace kalos::scene
 
 #endif

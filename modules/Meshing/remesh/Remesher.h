@@ -35,8 +35,8 @@ public:
   TriangleMesh result();
 
 private:
-  class Work;
-  std::unique_ptr<Work> work_;
+  class Impl;
+  std::unique_ptr<Impl> Work;
 };
 }  // namespace kalos::meshing
 

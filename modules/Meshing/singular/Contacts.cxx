@@ -34,17 +34,17 @@ Box boxAround(const std::array<Point, N>& corners, double margin, std::uint32_t 
 class Groups
 {
 public:
-  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  explicit Groups(std::size_t n) : Parent(n) { std::iota(Parent.begin(), Parent.end(), 0u); }
   std::uint32_t find(std::uint32_t i)
   {
-    while (parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
+    while (Parent[i] != i)
+      i = Parent[i] = Parent[Parent[i]];
     return i;
   }
-  void join(std::uint32_t i, std::uint32_t j) { parent_[find(i)] = find(j); }
+  void join(std::uint32_t i, std::uint32_t j) { Parent[find(i)] = find(j); }
 
 private:
-  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint32_t> Parent;
 };
 
 /// Whether two pieces lie on one line and overlap or touch: triangles that meet in less than `intersect` sees leave
