@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilePaths.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -23,6 +24,21 @@ std::string resolvePath(const std::string& folder, const std::string& path, Note
     notes.push_back({Subject, whole.lexically_normal().string(), {}});
   }
   return whole.string();
+}
+
+std::optional<std::string> findFile(const std::string& folder, const std::string& path, Notes& notes)
+{
+  std::string slashed = path;
+  std::replace(slashed.begin(), slashed.end(), '\\', '/');
+  for (const std::string& name : {path, slashed})
+  {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(std::filesystem::path(folder) / name, ignored))
+    {
+      return resolvePath(folder, name, notes);
+    }
+  }
+  return {};
 }
 
 Notes joinFilesElsewhere(const Notes& notes)

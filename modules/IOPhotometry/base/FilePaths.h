@@ -8,6 +8,7 @@
 #ifndef KalosFilePaths_h
 #define KalosFilePaths_h
 
+#include <optional>
 #include <string>
 
 #include "Notes.h"
@@ -16,6 +17,9 @@ namespace kalos::scene
 {
 /** The file called `path` in a file of `folder`; one that lies elsewhere is added to `notes`. */
 std::string resolvePath(const std::string& folder, const std::string& path, Notes& notes);
+
+/** The same for a regular file, with slashes for backslashes if that is where it is; none if it is nowhere. */
+std::optional<std::string> findFile(const std::string& folder, const std::string& path, Notes& notes);
 
 /** `notes` with all files that lie elsewhere in one. */
 Notes joinFilesElsewhere(const Notes& notes);

@@ -2,9 +2,9 @@
 #include "GltfAccessor.h"
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
+#include "../base/ByteOrder.h"
 #include "../base/InputError.h"
 
 namespace kalos::scene
@@ -17,9 +17,7 @@ constexpr std::size_t MaximumZeros = 4000000;  ///< elements that no bytes of th
 template <typename T>
 double load(const unsigned char* from)
 {
-  T value;
-  std::memcpy(&value, from, sizeof value);
-  return static_cast<double>(value);
+  return static_cast<double>(fromBytes<T>(from));
 }
 
 /** How the components of an accessor are stored. */
@@ -28,7 +26,7 @@ struct Storage
   std::size_t size;
   double (*load)(const unsigned char*);
   double largest;  ///< what a normalised integer is divided by; 1 for numbers
-  bool Unsigned;
+  bool isUnsigned;
 };
 
 Storage readStorage(const JsonCursor& type)
@@ -172,7 +170,7 @@ std::vector<Vector3> readPoints(const GltfFile& file, const JsonCursor& number)
 std::vector<std::uint32_t> readIndices(const GltfFile& file, const JsonCursor& number)
 {
   const JsonCursor& accessor = file.element(number, "accessors");
-  if (!readStorage(accessor.at("componentType")).Unsigned)
+  if (!readStorage(accessor.at("componentType")).isUnsigned)
   {
     accessor.at("componentType").failExpected("an unsigned integer, 5121, 5123 or 5125");
   }

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "../base/ByteOrder.h"
 #include "../base/FilePaths.h"
 #include "../base/InputError.h"
 
@@ -39,12 +40,7 @@ std::string readFile(const std::string& path, const std::string& where)
 
 std::uint32_t word(const std::string& content, std::size_t at)
 {
-  std::uint32_t word = 0;
-  for (int i = 3; i >= 0; --i)
-  {
-    word = word << 8 | static_cast<unsigned char>(content[at + i]);
-  }
-  return word;
+  return fromBytes<std::uint32_t>(content.data() + at);
 }
 
 int sextet(unsigned char c)

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "../base/ByteOrder.h"
+
 namespace kalos
 {
 namespace
@@ -19,7 +21,7 @@ std::uint32_t readWord(std::istream& file)
 {
   unsigned char bytes[4] = {0, 0, 0, 0};
   file.read(reinterpret_cast<char*>(bytes), 4);
-  return bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24;
+  return scene::fromBytes<std::uint32_t>(bytes);
 }
 /** The difference of two signed coordinates and 1, as the sides of a window count. */
 double side(std::uint32_t low, std::uint32_t high)

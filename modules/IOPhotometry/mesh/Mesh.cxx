@@ -51,7 +51,7 @@ bool Mesh::hasArea(std::size_t polygon) const
     perimeter += norm(this->points[next] - this->points[this->corners[i]]);
   }
   // Relative, so that a millimetre part and a stadium are judged alike.
-  return norm(this->area(polygon)) > 1e-13 * perimeter * perimeter;
+  return end - begin > 2 && norm(this->area(polygon)) > 1e-13 * perimeter * perimeter;
 }
 
 void Mesh::takeMaterials(const std::vector<Material>& all)
@@ -93,10 +93,6 @@ void Mesh::check(const std::string& file, const char* face) const
     const auto fail = [&](const std::string& what) {
       throw InputError(file, face + (" " + std::to_string(p + 1)), what);
     };
-    if (end - begin < 3)
-    {
-      fail(std::to_string(end - begin) + " corners; expected at least 3");
-    }
     for (std::int64_t i = begin; i < end; ++i)
     {
       const std::int64_t corner = this->corners[i];
@@ -110,10 +106,14 @@ void Mesh::check(const std::string& file, const char* face) const
         fail("a corner has a coordinate that is not finite; expected metres");
       }
     }
-    if (!this->hasArea(p))
-    {
-      fail("no area; expected a polygon that is not degenerate");
-    }
+  }
+}
+
+void noteDegenerate(std::size_t count, Notes& notes)
+{
+  if (count > 0)
+  {
+    notes.push_back({"degenerate faces", "left out", "they have no area (" + std::to_string(count) + ")"});
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "../base/Notes.h"
 #include "../base/Vectors.h"
 #include "../material/Material.h"
 
@@ -32,11 +33,14 @@ struct Mesh
   /** Vector area: the normal times the area, m². */
   Vector3 area(std::size_t polygon) const;
   /**
-   * Throw unless every point is finite and every polygon has three or more corners that exist and an area.
+   * Throw unless every corner of a polygon is a point that exists and is finite.
    * `file` and `face` open the message: "room.obj: face 12: ..."; faces are counted from 1.
    */
   void check(const std::string& file, const char* face) const;
 };
+
+/** Tell how many polygons without area were left out, if any. */
+void noteDegenerate(std::size_t count, Notes& notes);
 
 /** Parallelogram origin, u, v; the normal is u x v. */
 Mesh makeQuad(const Vector3& origin, const Vector3& u, const Vector3& v);

@@ -9,6 +9,7 @@
 #include "../base/ErrorCatcher.h"
 #include "../base/InputError.h"
 #include "ObjMaterials.h"
+#include "OffFile.h"
 #include "PlyFile.h"
 #include "StlFile.h"
 #include "vtkCellArray.h"
@@ -23,9 +24,7 @@
 
 namespace kalos::scene
 {
-namespace
-{
-vtkSmartPointer<vtkPolyData> readVtp(const std::string& path)
+vtkSmartPointer<vtkPolyData> readVtpFile(const std::string& path)
 {
   vtkNew<vtkXMLPolyDataReader> reader;
   ErrorCatcher errors(reader);
@@ -39,6 +38,8 @@ vtkSmartPointer<vtkPolyData> readVtp(const std::string& path)
   return reader->GetOutput();
 }
 
+namespace
+{
 Mesh fromPolyData(vtkPolyData* data, const std::string& path)
 {
   if (data->GetNumberOfVerts() + data->GetNumberOfLines() + data->GetNumberOfStrips() > 0)
@@ -127,10 +128,10 @@ void useFallback(const JsonCursor& place, Mesh& mesh, const Material* fallback)
   std::replace(mesh.materialOf.begin(), mesh.materialOf.end(), -1, index);
 }
 
-Mesh readObj(const std::string& path, const Materials& materials, Notes& notes)
+Mesh readObj(const std::string& path, const Materials& materials, bool required, Notes& notes)
 {
-  ObjFile file = readObjFile(path);
-  file.polygons.palette = findObjMaterials(path, file, materials, notes);
+  ObjFile file = readObjFile(path, notes);
+  useObjMaterials(path, file, materials, required, notes);
   return std::move(file.polygons);
 }
 }  // namespace
@@ -149,7 +150,7 @@ Mesh readMeshFile(const JsonCursor& place, const std::string& path, const Materi
   Mesh mesh;
   if (type == ".obj")
   {
-    mesh = readObj(path, materials, notes);
+    mesh = readObj(path, materials, !fallback, notes);
   }
   else if (type == ".ply")
   {
@@ -157,11 +158,15 @@ Mesh readMeshFile(const JsonCursor& place, const std::string& path, const Materi
   }
   else if (type == ".stl")
   {
-    mesh = readStlFile(path);
+    mesh = readStlFile(path, notes);
+  }
+  else if (type == ".off")
+  {
+    mesh = readOffFile(path);
   }
   else if (type == ".vtp")
   {
-    const auto data = readVtp(path);
+    const auto data = readVtpFile(path);
     mesh = fromPolyData(data, path);
     if (!fallback && data->GetCellData()->GetArray(vtkKalosArrayNames::Reflectance))
     {
@@ -170,13 +175,18 @@ Mesh readMeshFile(const JsonCursor& place, const std::string& path, const Materi
   }
   else
   {
-    place.fail("unknown mesh format '" + type + "'; expected .obj, .ply, .stl or .vtp");
+    place.fail("unknown mesh format '" + type + "'; expected .obj, .ply, .stl, .off or .vtp");
   }
   if (mesh.numberOfPolygons() == 0)
   {
     throw InputError(path, "file", "no polygons; expected at least one");
   }
   mesh.check(path, "face");
+  noteDegenerate(mesh.dropDegenerate(), notes);
+  if (mesh.numberOfPolygons() == 0)
+  {
+    throw InputError(path, "file", "none of the polygons has an area; expected at least one");
+  }
   useFallback(place, mesh, fallback);
   return mesh;
 }

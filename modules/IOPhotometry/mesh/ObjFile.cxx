@@ -2,127 +2,128 @@
 #include "ObjFile.h"
 
 #include <algorithm>
-#include <fstream>
-#include <locale>
 #include <map>
-#include <sstream>
 
 #include "../base/InputError.h"
+#include "../base/TextLines.h"
 
 namespace kalos::scene
 {
 namespace
 {
-/** One file while it is read, with the line for messages. */
+/** Statements that change no light: of vertices that no polygon has, of lines, curves, appearance and grouping. */
+constexpr const char* WithoutEffect[] = {
+    "vt",     "vn",     "vp",     "s",   "l",    "p",    "lod",   "bevel", "c_interp",   "d_interp",
+    "usemap", "maplib", "cstype", "deg", "bmat", "step", "curv",  "curv2", "parm",       "trim",
+    "hole",   "scrv",   "sp",     "end", "con",  "mg",   "ctech", "stech", "shadow_obj", "trace_obj"};
+/** Surfaces that are no polygons. */
+constexpr const char* Curved[] = {"surf", "bsp", "bzp", "cdc", "cdp", "res"};
+
+template <std::size_t N>
+bool isAmong(const char* const (&list)[N], const std::string& word)
+{
+  return std::find(std::begin(list), std::end(list), word) != std::end(list);
+}
+
 class ObjParser
 {
 public:
-  explicit ObjParser(const std::string& path) : Path(path) { this->Result.objectNames.emplace_back(); }
+  ObjParser(const std::string& path, Notes& notes, Reading reading)
+      : Lines(path, true), Found(notes), Lenient(reading == Reading::Lenient)
+  {
+    this->Result.objectNames.emplace_back();
+  }
 
   ObjFile parse()
   {
-    std::ifstream file(this->Path, std::ios::binary);
-    std::string line;
-    std::string continued;
-    while (std::getline(file, line))
+    while (this->Lines.next())
     {
-      ++this->LineNumber;
-      if (!line.empty() && line.back() == '\r')
-      {
-        line.pop_back();
-      }
-      if (!line.empty() && line.back() == '\\')
-      {
-        line.back() = ' ';
-        continued += line;
-        continue;
-      }
-      this->parseLine(continued + line);
-      continued.clear();
+      this->parseLine();
     }
     return std::move(this->Result);
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) const
+  void parseLine()
   {
-    throw InputError(this->Path, "line " + std::to_string(this->LineNumber), what);
-  }
-
-  void parseLine(const std::string& line)
-  {
-    std::istringstream words(line.substr(0, line.find('#')));
-    words.imbue(std::locale::classic());
-    std::string keyword;
-    if (!(words >> keyword))
-    {
-      return;
-    }
-    static const char* const ignored[] = {"vt", "vn", "vp", "s", "l", "p"};
+    Words words = this->Lines.words();
+    const std::string keyword(words.next());
     if (keyword == "v")
     {
-      Vector3 point;
-      if (!(words >> point[0] >> point[1] >> point[2]))
-      {
-        this->fail("a vertex without three numbers; expected v X Y Z");
-      }
-      this->Result.polygons.points.push_back(point);
+      this->parsePoint(words);
     }
-    else if (keyword == "f")
+    else if (keyword == "f" || keyword == "fo")
     {
       this->parseFace(words);
     }
     else if (keyword == "usemtl")
     {
-      this->useMaterial(words);
+      const std::string name = this->name();
+      this->Material =
+          name.empty() ? -1 : static_cast<std::int32_t>(number(this->Result.materialNames, this->Materials, name));
     }
     else if (keyword == "mtllib")
     {
-      number(this->Result.libraries, this->Libraries, rest(words));
+      number(this->Result.libraries, this->Libraries, this->name());
     }
     else if (keyword == "o" || keyword == "g")
     {
-      this->beginObject(keyword, rest(words));
+      this->beginObject(keyword, this->name());
     }
-    else if (std::find(std::begin(ignored), std::end(ignored), keyword) == std::end(ignored))
+    else if (!keyword.empty() && !isAmong(WithoutEffect, keyword))
     {
-      this->fail("unknown statement '" + quotable(keyword) + "'; expected v, f, usemtl or another of a polygon mesh");
+      this->passOver(keyword);
     }
   }
 
-  void parseFace(std::istringstream& words)
+  void passOver(const std::string& keyword)
   {
-    std::vector<std::int64_t> corners;
-    std::string word;
-    while (words >> word)
+    const bool curved = isAmong(Curved, keyword);
+    if (!this->Lenient)
     {
-      const std::string digits = word.substr(0, word.find('/'));
-      const auto count = static_cast<std::int64_t>(this->Result.polygons.points.size());
+      this->Lines.fail(curved ? "a curved surface ('" + keyword + "'); expected polygons"
+                              : "unknown statement '" + quotable(keyword) +
+                                    "'; expected v, f, usemtl or another of a polygon mesh");
+    }
+    this->Found.count(curved ? "curved surfaces" : "unknown statements", quotable(keyword), "left out",
+                      "polygons alone are read");
+  }
+
+  void parsePoint(Words& words)
+  {
+    Vector3 point;
+    if (!words.number(point[0]) || !words.number(point[1]) || !words.number(point[2]))
+    {
+      this->Lines.fail("a vertex without three numbers; expected v X Y Z");
+    }
+    this->Result.polygons.points.push_back(point);
+  }
+
+  void parseFace(Words& words)
+  {
+    this->Corners.clear();
+    const auto count = static_cast<std::int64_t>(this->Result.polygons.points.size());
+    for (std::string_view word = words.next(); !word.empty(); word = words.next())
+    {
+      const std::string_view digits = word.substr(0, word.find('/'));
       std::int64_t index = 0;
-      std::istringstream number(digits);
-      number.imbue(std::locale::classic());
-      if (!(number >> index) || number.peek() != std::istringstream::traits_type::eof() || index == 0 ||
-          index > count || index < -count)
+      if (!parseInteger(digits, index) || index == 0 || index > count || index < -count)
       {
-        this->fail("a face corner '" + quotable(digits) + "'; expected a vertex number from 1 to " +
-                   std::to_string(count));
+        this->Lines.fail("a face corner '" + quotable(std::string(digits)) + "'; expected a vertex number from 1 to " +
+                         std::to_string(count));
       }
-      corners.push_back(index > 0 ? index - 1 : count + index);
+      this->Corners.push_back(index > 0 ? index - 1 : count + index);
     }
-    if (corners.size() < 3)
-    {
-      this->fail("a face with " + std::to_string(corners.size()) + " corners; expected at least 3");
-    }
-    this->Result.polygons.addPolygon(corners, this->Material);
+    this->Result.polygons.addPolygon(this->Corners, this->Material);
     this->Result.objectOf.push_back(this->Object);
   }
 
-  static std::string rest(std::istringstream& words)
+  /** What follows the keyword, up to the end of the line. */
+  std::string name() const
   {
-    std::string rest;
-    std::getline(words >> std::ws, rest);
-    rest.erase(rest.find_last_not_of(" \t") + 1);
-    return rest;
+    Words words(this->Lines.text());
+    words.next();
+    return words.rest();
   }
 
   /** The index of a name in a list, which gets it if it is new. */
@@ -137,16 +138,6 @@ private:
     return found->second;
   }
 
-  void useMaterial(std::istringstream& words)
-  {
-    const std::string name = rest(words);
-    if (name.empty())
-    {
-      this->fail("usemtl without a name; expected the name of a material");
-    }
-    this->Material = static_cast<std::int32_t>(number(this->Result.materialNames, this->Materials, name));
-  }
-
   /** Groups divide a file that has no objects. */
   void beginObject(const std::string& keyword, const std::string& name)
   {
@@ -157,20 +148,22 @@ private:
     }
   }
 
-  const std::string& Path;
+  TextLines Lines;
+  NoteCounter Found;
+  bool Lenient;
   ObjFile Result;
   std::map<std::string, std::size_t> Libraries;
   std::map<std::string, std::size_t> Materials;
   std::map<std::string, std::size_t> Objects{{"", 0}};
+  std::vector<std::int64_t> Corners;
   std::int32_t Material = -1;
   std::size_t Object = 0;
   bool HasObjects = false;
-  long long LineNumber = 0;
 };
 }  // namespace
 
-ObjFile readObjFile(const std::string& path)
+ObjFile readObjFile(const std::string& path, Notes& notes, Reading reading)
 {
-  return ObjParser(path).parse();
+  return ObjParser(path, notes, reading).parse();
 }
 }  // namespace kalos::scene

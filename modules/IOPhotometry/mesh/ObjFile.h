@@ -1,30 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Wavefront OBJ: polygons and the names of their materials. VTK's reader keeps neither double precision nor line
- * numbers. */
+/**
+ * Wavefront OBJ: polygons and the names of their materials. tinyobjloader takes `v 1 2` and `v 1 0x nan` as numbers
+ * without a word and refuses continued lines; CGAL's reader keeps no materials and tells no line.
+ */
 #ifndef KalosObjFile_h
 #define KalosObjFile_h
 
 #include <string>
 #include <vector>
 
+#include "../base/NoteCounter.h"
 #include "Mesh.h"
 
 namespace kalos::scene
 {
+/** How a mesh file is read: for a scene, where nothing may be lost, or for the repair of a damaged mesh. */
+enum class Reading
+{
+  Strict,
+  Lenient
+};
+
 struct ObjFile
 {
-  Mesh polygons;                           ///< MaterialOf indexes MaterialNames, -1 before the first usemtl
+  Mesh polygons;                           ///< materialOf indexes materialNames, -1 where usemtl names none
   std::vector<std::string> materialNames;  ///< of usemtl
-  std::vector<std::string> libraries;      ///< of mtllib
+  std::vector<std::string> libraries;      ///< what mtllib statements name
   std::vector<std::string> objectNames;    ///< of o, or of g while no o was met; the first may be empty
-  std::vector<std::size_t> objectOf;       ///< of each polygon in ObjectNames
+  std::vector<std::size_t> objectOf;       ///< of each polygon in objectNames
 };
 
 /**
- * Read v, f (polygons of any size, negative indices, a/b/c forms), usemtl, mtllib, o and g. Texture coordinates,
- * normals, smoothing, lines and points do not concern light and are passed over; anything else is an error.
+ * Read v, f (polygons of any size, negative indices, a/b/c forms; also by its old name fo), usemtl, mtllib, o and g.
+ * Statements of appearance, lines, points and curves do not concern light and are passed over. Curved surfaces and
+ * unknown statements are errors, or with Reading::Lenient counted in `notes`. Faces of fewer than three corners are
+ * kept for Mesh::dropDegenerate. Names reach to the end of their line, with any `#` in them.
  */
-ObjFile readObjFile(const std::string& path);
+ObjFile readObjFile(const std::string& path, Notes& notes, Reading reading = Reading::Strict);
 }  // namespace kalos::scene
 
 #endif

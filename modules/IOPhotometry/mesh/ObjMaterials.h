@@ -9,11 +9,11 @@
 namespace kalos::scene
 {
 /**
- * The materials that the OBJ at `path` names, in its order: from `overrides`, else from its libraries. A name that is
- * nowhere is an error.
+ * Give the polygons of the OBJ at `path` the materials that it names: from `overrides`, else from its libraries. A name
+ * that is nowhere is an error if they are `required`; else its polygons have no material (-1), and `notes` tell.
+ * A mtllib statement may name several libraries; a name may be followed by blanks, `#` and a comment.
  */
-std::vector<Material> findObjMaterials(const std::string& path, const ObjFile& file, const Materials& overrides,
-                                       Notes& notes);
+void useObjMaterials(const std::string& path, ObjFile& file, const Materials& overrides, bool required, Notes& notes);
 }  // namespace kalos::scene
 
 #endif

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Stanford PLY, ASCII and binary. VTK's reader rounds doubles to floats and trusts the counts of a damaged file. */
+/**
+ * Stanford PLY, ASCII and binary. VTK's reader rounds doubles to floats and trusts the counts of a damaged file;
+ * CGAL's tells no place and passes on corners that name no point.
+ */
 #ifndef KalosPlyFile_h
 #define KalosPlyFile_h
 
@@ -9,8 +12,10 @@
 
 namespace kalos::scene
 {
-/** Read the vertices' x, y, z and the faces' vertex_indices (or vertex_index); other elements and properties are passed
- * over. */
+/**
+ * Read the vertices' x, y, z, the faces' vertex_indices (or vertex_index) and the strips of the element tristrips,
+ * which -1 parts; other elements and properties are passed over. An empty mesh without faces and strips.
+ */
 Mesh readPlyFile(const std::string& path);
 }  // namespace kalos::scene
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StlFile.h"
 
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
+#include "../base/ByteOrder.h"
 #include "../base/InputError.h"
+#include "../base/TextLines.h"
 
 namespace kalos::scene
 {
@@ -23,36 +22,18 @@ void addFacet(Mesh& mesh, const Vector3 corners[3])
   mesh.addPolygon({first, first + 1, first + 2}, -1);
 }
 
-/** Little-endian, as the format is. */
-std::uint32_t integer(const char* bytes)
-{
-  std::uint32_t value = 0;
-  for (int i = 3; i >= 0; --i)
-  {
-    value = (value << 8) | static_cast<unsigned char>(bytes[i]);
-  }
-  return value;
-}
-
-double Float(const char* bytes)
-{
-  const std::uint32_t bits = integer(bytes);
-  float value;
-  std::memcpy(&value, &bits, sizeof(value));
-  return value;
-}
-
-Mesh parseBinary(const std::string& content)
+Mesh parseBinary(const std::string& content, std::size_t facets)
 {
   Mesh mesh;
-  for (std::size_t at = HeaderBytes; at + FacetBytes <= content.size(); at += FacetBytes)
+  for (std::size_t i = 0; i < facets; ++i)
   {
+    const char* bytes = content.data() + HeaderBytes + FacetBytes * i + 12;
     Vector3 corners[3];
     for (int c = 0; c < 3; ++c)
     {
       for (int k = 0; k < 3; ++k)
       {
-        corners[c][k] = Float(content.data() + at + 12 + 12 * c + 4 * k);
+        corners[c][k] = fromBytes<float>(bytes + 12 * c + 4 * k);
       }
     }
     addFacet(mesh, corners);
@@ -61,70 +42,123 @@ Mesh parseBinary(const std::string& content)
 }
 
 /** facet ... vertex X Y Z, three times ... endfacet; several solids in a row are one mesh. */
-Mesh parseText(const std::string& content, const std::string& path)
+class TextParser
 {
-  Mesh mesh;
-  std::istringstream lines(content);
-  std::string line;
-  Vector3 corners[3];
-  int count = 0;
-  bool complete = false;
-  for (long long number = 1; std::getline(lines, line); ++number)
+public:
+  TextParser(const std::string& path, Notes& notes) : Path(path), Found(notes), Lines(path) {}
+
+  Mesh parse()
   {
-    const auto fail = [&](const std::string& what) { throw InputError(path, "line " + std::to_string(number), what); };
-    std::istringstream words(line);
-    std::string keyword;
-    words >> keyword;
+    while (this->Lines.next())
+    {
+      this->parseLine();
+    }
+    if (this->Inside && (this->Count != 0 || this->InFacet || this->Result.numberOfPolygons() == 0))
+    {
+      throw InputError(this->Path, "file",
+                       "no STL file, or the end is missing; expected solid ... endsolid, or a binary STL file");
+    }
+    if (this->Inside)
+    {
+      this->Found.push_back({"STL", "read up to its last facet", "the word endsolid is missing"});
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  void parseLine()
+  {
+    Words words(this->Lines.text());
+    std::string keyword = lowerCase(words.next());
+    if (keyword == "end")
+    {
+      keyword += lowerCase(words.next());
+    }
     if (keyword == "vertex")
     {
-      if (count == 3)
-      {
-        fail("a facet with more than three corners; expected three");
-      }
-      Vector3& corner = corners[count++];
-      if (!(words >> corner[0] >> corner[1] >> corner[2]))
-      {
-        fail("a vertex without three numbers; expected vertex X Y Z");
-      }
+      this->parseVertex(words);
+    }
+    else if (keyword == "facet")
+    {
+      this->InFacet = true;
     }
     else if (keyword == "endfacet")
     {
-      if (count != 3)
+      if (this->Count != 3)
       {
-        fail("a facet with " + std::to_string(count) + " corners; expected three");
+        this->Lines.fail("a facet with " + std::to_string(this->Count) + " corners; expected three");
       }
-      addFacet(mesh, corners);
-      count = 0;
+      addFacet(this->Result, this->Corners);
+      this->Count = 0;
+      this->InFacet = false;
     }
     else if (keyword == "solid" || keyword == "endsolid")
     {
-      complete = keyword == "endsolid";
+      this->Inside = keyword == "solid";
     }
-    else if (!keyword.empty() && keyword != "facet" && keyword != "outer" && keyword != "endloop")
+    else if (!keyword.empty() && keyword != "outer" && keyword != "endloop" && keyword != "color")
     {
-      fail("unknown statement '" + quotable(keyword) + "'; expected facet, vertex or another of an STL file");
+      this->Lines.fail("unknown statement '" + quotable(keyword) +
+                       "'; expected facet, vertex or another of an STL file");
     }
   }
-  if (!complete)
+
+  void parseVertex(Words& words)
   {
-    throw InputError(path, "file",
-                     "no STL file, or the end is missing; expected solid ... endsolid, or a binary STL file");
+    if (this->Count == 3)
+    {
+      this->Lines.fail("a facet with more than three corners; expected three");
+    }
+    Vector3& corner = this->Corners[this->Count++];
+    if (!words.number(corner[0]) || !words.number(corner[1]) || !words.number(corner[2]))
+    {
+      this->Lines.fail("a vertex without three numbers; expected vertex X Y Z");
+    }
   }
-  return mesh;
+
+  const std::string& Path;
+  Notes& Found;
+  TextLines Lines;
+  Mesh Result;
+  Vector3 Corners[3];
+  int Count = 0;
+  bool InFacet = false;
+  bool Inside = true;
+};
+
+/** Whether it begins with "solid", whatever the letters, after blanks and a mark of UTF-8. */
+bool beginsAsText(const std::string& content)
+{
+  std::size_t at = content.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
+  at = std::min(content.find_first_not_of(" \t\r\n", at), content.size());
+  return lowerCase(content.substr(at, 5)) == "solid";
+}
+
+/** Whether "facet" follows the first line: binary files may begin with "solid", too. */
+bool continuesAsText(const std::string& content)
+{
+  const std::string start = lowerCase(std::string_view(content).substr(0, 4096));
+  const std::size_t solid = start.find("solid");
+  return start.find("facet", solid) != start.npos && start.find('\0') == start.npos;
 }
 }  // namespace
 
-Mesh readStlFile(const std::string& path)
+Mesh readStlFile(const std::string& path, Notes& notes)
 {
   std::ifstream file(path, std::ios::binary);
   const std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  // Binary files may start with "solid" too: the size tells them apart.
-  const bool text = content.compare(0, 5, "solid") == 0;
   const bool hasCount = content.size() >= HeaderBytes;
-  const std::size_t expected = hasCount ? HeaderBytes + FacetBytes * std::size_t{integer(&content[80])} : 0;
-  if (hasCount && content.size() == expected)
+  const std::size_t facets = hasCount ? std::size_t{fromBytes<std::uint32_t>(&content[80])} : 0;
+  const std::size_t expected = HeaderBytes + FacetBytes * facets;
+  const bool text = beginsAsText(content);
+  if (hasCount && content.size() >= expected && (content.size() == expected || !text || !continuesAsText(content)))
   {
-    return parseBinary(content);
+    if (content.size() > expected)
+    {
+      notes.push_back({"STL", "read up to its last facet",
+                       std::to_string(content.size() - expected) + " bytes follow those that its count tells"});
+    }
+    return parseBinary(content, facets);
   }
   if (!text)
   {
@@ -133,6 +167,6 @@ Mesh readStlFile(const std::string& path)
                          (hasCount ? std::to_string(expected) : "at least " + std::to_string(HeaderBytes)) +
                          ", or text from solid to endsolid");
   }
-  return parseText(content, path);
+  return TextParser(path, notes).parse();
 }
 }  // namespace kalos::scene

@@ -59,17 +59,13 @@ Model readModelFile(const JsonCursor& place, const std::string& path, const Mode
   std::size_t dropped = 0;
   for (ModelPart& part : model.parts)
   {
-    dropped += part.polygons.dropDegenerate();
     part.polygons.check(path, "face");
+    dropped += part.polygons.dropDegenerate();
   }
   model.parts.erase(std::remove_if(model.parts.begin(), model.parts.end(),
                                    [](const ModelPart& part) { return part.polygons.numberOfPolygons() == 0; }),
                     model.parts.end());
-  if (dropped > 0)
-  {
-    model.approximations.push_back(
-        {"degenerate faces", "left out", "they have no area (" + std::to_string(dropped) + ")"});
-  }
+  noteDegenerate(dropped, model.approximations);
   if (model.parts.empty() && model.lights.empty())
   {
     throw InputError(path, "file", "no polygons and no lights; expected at least one of them");

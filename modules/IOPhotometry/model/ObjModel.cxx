@@ -32,8 +32,9 @@ void takePoints(Mesh& mesh, const std::vector<Vector3>& all, const Transform& pl
 Model readObjModel(const std::string& path, const ModelUse& use)
 {
   Model model;
-  const ObjFile file = readObjFile(path);
-  std::vector<Material> palette = findObjMaterials(path, file, *use.overrides, model.approximations);
+  ObjFile file = readObjFile(path, model.approximations);
+  useObjMaterials(path, file, *use.overrides, false, model.approximations);
+  std::vector<Material>& palette = file.polygons.palette;
   const auto unnamed = static_cast<std::int32_t>(palette.size());
   Material plain;
   plain.reflectance = {UnnamedReflectance};

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <locale>
 #include <sstream>
+#include <stdexcept>
 
 #include "../base/InputError.h"
 #include "SceneReceivers.h"
@@ -65,6 +66,57 @@ bool makeUnit(double* vector)
   }
   return vtkMath::Normalize(vector) > 0.0;
 }
+/** The receivers as they are read. */
+struct Receivers
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkDoubleArray> normals;
+
+  Receivers()
+  {
+    this->points->SetDataTypeToDouble();
+    this->normals->SetName("Normals");
+    this->normals->SetNumberOfComponents(3);
+  }
+
+  void add(std::array<double, 6>& row)
+  {
+    const vtkIdType id = this->points->InsertNextPoint(row.data());
+    this->vertices->InsertNextCell(1, &id);
+    this->normals->InsertNextTuple(&row[3]);
+  }
+};
+
+/** Throws with what is wrong and expected. */
+void readLine(const std::string& line, std::int64_t most, Receivers& receivers)
+{
+  std::array<double, 6> row;
+  if (!parseRow(line, row))
+  {
+    throw std::invalid_argument(std::string("not a receiver; expected six finite numbers ") + Header);
+  }
+  if (!makeUnit(&row[3]))
+  {
+    throw std::invalid_argument("the normal is zero; expected a direction");
+  }
+  if (receivers.points->GetNumberOfPoints() >= most)
+  {
+    throw std::invalid_argument("one receiver too many; expected " + fewerReceivers(most));
+  }
+  receivers.add(row);
+}
+
+void checkHeader(std::string line)
+{
+  const bool marked = line.compare(0, 3, "\xEF\xBB\xBF") == 0;
+  line.erase(0, marked ? 3 : 0);
+  line.erase(std::remove(line.begin(), line.end(), ' '), line.end());
+  if (line != Header)
+  {
+    throw std::invalid_argument(std::string("the header is not as it should be; expected ") + Header);
+  }
+}
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> readProbeFile(const JsonCursor& place, const std::string& path, std::int64_t most)
@@ -74,58 +126,37 @@ vtkSmartPointer<vtkPolyData> readProbeFile(const JsonCursor& place, const std::s
   {
     place.fail("no file " + path + "; expected a CSV file, its path relative to the scene file");
   }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-
+  Receivers receivers;
   std::ifstream file(path, std::ios::binary);
   std::string line;
   for (long long number = 1; nextLine(file, line, path, number); ++number)
   {
-    const std::string where = "line " + std::to_string(number);
     line.erase(line.find_last_not_of(" \t\r") + 1);
-    if (number == 1)
+    try
     {
-      line.erase(std::remove(line.begin(), line.end(), ' '), line.end());
-      if (line != Header)
+      if (number == 1)
       {
-        throw InputError(path, where, std::string("the header is not as it should be; expected ") + Header);
+        checkHeader(line);
       }
-      continue;
+      else if (!line.empty())
+      {
+        readLine(line, most, receivers);
+      }
     }
-    std::array<double, 6> row;
-    if (line.empty())
+    catch (const std::invalid_argument& error)
     {
-      continue;
+      throw InputError(path, "line " + std::to_string(number), error.what());
     }
-    if (!parseRow(line, row))
-    {
-      throw InputError(path, where, std::string("not a receiver; expected six finite numbers ") + Header);
-    }
-    if (!makeUnit(&row[3]))
-    {
-      throw InputError(path, where, "the normal is zero; expected a direction");
-    }
-    if (points->GetNumberOfPoints() >= most)
-    {
-      throw InputError(path, where, "one receiver too many; expected " + fewerReceivers(most));
-    }
-    const vtkIdType id = points->InsertNextPoint(row.data());
-    vertices->InsertNextCell(1, &id);
-    normals->InsertNextTuple(&row[3]);
   }
-  if (points->GetNumberOfPoints() == 0)
+  if (receivers.points->GetNumberOfPoints() == 0)
   {
     throw InputError(path, "file",
                      std::string("no receivers; expected the header ") + Header + " and at least one line");
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetVerts(vertices);
-  data->GetPointData()->SetNormals(normals);
+  data->SetPoints(receivers.points);
+  data->SetVerts(receivers.vertices);
+  data->GetPointData()->SetNormals(receivers.normals);
   return data;
 }
 }  // namespace kalos::scene

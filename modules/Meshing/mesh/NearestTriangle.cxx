@@ -20,9 +20,9 @@ NearestTriangle::NearestTriangle(const TriangleMesh& mesh, const std::vector<std
   for (const std::uint32_t t : triangles)
   {
     const Triangle& corners = mesh.triangles[t];
-    Tree->add({Impl::cgal(mesh.points[corners[0]]), Impl::cgal(mesh.points[corners[1]]),
-               Impl::cgal(mesh.points[corners[2]])},
-              t);
+    Tree->add(
+        {Impl::cgal(mesh.points[corners[0]]), Impl::cgal(mesh.points[corners[1]]), Impl::cgal(mesh.points[corners[2]])},
+        t);
   }
   Tree->build();
 }
