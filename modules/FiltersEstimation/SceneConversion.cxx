@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "ConcavePolygons.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -111,9 +112,10 @@ void RefuseLostPolygons(vtkPolyData* input, vtkPolyData* triangles)
                                 " triangles have no area or cross themselves, expected simple polygons");
 }
 
-void AddSurfaces(vtkPolyData* input, kalos::SceneDescription& scene)
+void AddSurfaces(vtkPolyData* surfaces, kalos::SceneDescription& scene)
 {
-  vtkKalosArrayLengths::Require(input->GetCellData(), input->GetNumberOfCells(), "surface cells");
+  vtkKalosArrayLengths::Require(surfaces->GetCellData(), surfaces->GetNumberOfCells(), "surface cells");
+  const vtkSmartPointer<vtkPolyData> input = CutConcavePolygons(surfaces);
   vtkNew<vtkTriangleFilter> triangulate;
   triangulate->SetInputData(input);
   triangulate->PassLinesOff();
@@ -134,7 +136,7 @@ void AddSurfaces(vtkPolyData* input, kalos::SceneDescription& scene)
     scene.points.push_back(ToVec3(triangles->GetPoint(i)));
 
   vtkDataArray* surfaceIds = triangles->GetCellData()->GetArray(Names::SurfaceId);
-  auto* names = vtkStringArray::SafeDownCast(input->GetFieldData()->GetAbstractArray(Names::SurfaceNames));
+  auto* names = vtkStringArray::SafeDownCast(surfaces->GetFieldData()->GetAbstractArray(Names::SurfaceNames));
   for (vtkIdType i = 0; surfaceIds && names && i < names->GetNumberOfValues(); ++i)
     scene.surfaceNames.push_back(names->GetValue(i));
 

@@ -11,19 +11,18 @@
 #include <sstream>
 #include <string>
 
+#include "mesh/Triangulation.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
-#include "vtkIdList.h"
 #include "vtkKalosArrayLengths.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
@@ -41,52 +40,29 @@ void addTriangle(TriangleMesh& mesh, vtkIdType a, vtkIdType b, vtkIdType c, vtkI
   mesh.origin.push_back(static_cast<std::uint32_t>(cell));
 }
 
-/** Whether a fan from the first corner covers the polygon. */
-bool isConvex(const TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids)
+/** Returns false if the polygon crosses itself and had to be cut into a fan. */
+bool addPolygon(TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
 {
-  const Point& first = mesh.points[ids[0]];
-  Point normal{0, 0, 0};
-  for (vtkIdType i = 1; i + 1 < size; ++i)
-  {
-    normal = normal + cross(mesh.points[ids[i]] - first, mesh.points[ids[i + 1]] - first);
-  }
+  std::vector<Point> corners;
   for (vtkIdType i = 0; i < size; ++i)
   {
-    const Point& corner = mesh.points[ids[i]];
-    const Point in = corner - mesh.points[ids[(i + size - 1) % size]];
-    const Point out = mesh.points[ids[(i + 1) % size]] - corner;
-    if (dot(cross(in, out), normal) < 0.0)
-    {
-      return false;
-    }
+    corners.push_back(mesh.points[ids[i]]);
   }
-  return true;
-}
-
-/** Returns false if the polygon had to be cut into a fan. */
-bool addPolygon(TriangleMesh& mesh, vtkPoints* points, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
-{
-  bool proper = true;
-  if (size > 3 && !isConvex(mesh, size, ids))
+  const bool convex = size == 3 || meshing::isConvex(corners);
+  const auto triangles = convex ? std::nullopt : meshing::triangulate(corners);
+  if (triangles)
   {
-    vtkNew<vtkPolygon> polygon;
-    polygon->Initialize(static_cast<int>(size), ids, points);
-    vtkNew<vtkIdList> triangles;
-    if (polygon->Triangulate(triangles))
+    for (const auto& [a, b, c] : *triangles)
     {
-      for (vtkIdType i = 0; i + 2 < triangles->GetNumberOfIds(); i += 3)
-      {
-        addTriangle(mesh, ids[triangles->GetId(i)], ids[triangles->GetId(i + 1)], ids[triangles->GetId(i + 2)], cell);
-      }
-      return true;
+      addTriangle(mesh, ids[a], ids[b], ids[c], cell);
     }
-    proper = false;
+    return true;
   }
   for (vtkIdType i = 1; i + 1 < size; ++i)
   {
     addTriangle(mesh, ids[0], ids[i], ids[i + 1], cell);
   }
-  return proper;
+  return convex;
 }
 
 void addStrip(TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
@@ -211,7 +187,7 @@ ConvertedMesh convertMesh(vtkPolyData* input)
       {
         addStrip(mesh, size, ids, cell);
       }
-      else if (!addPolygon(mesh, input->GetPoints(), size, ids, cell))
+      else if (!addPolygon(mesh, size, ids, cell))
       {
         result.crossing.push_back(cell);
       }

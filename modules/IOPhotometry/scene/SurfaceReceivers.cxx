@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "SceneReceivers.h"
+#include "mesh/Triangulation.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -19,17 +20,14 @@ namespace
 {
 using Triangle = std::array<Vector3, 3>;
 
-/** Triangles of one polygon, which may be concave. */
-std::vector<Triangle> triangulate(const Mesh& mesh, std::size_t polygon)
+/** Corner numbers of triangles: of a convex polygon by VTK, which takes the shorter diagonals. */
+std::vector<std::array<std::uint32_t, 3>> cutPolygon(const std::vector<Vector3>& corners)
 {
-  const std::int64_t begin = mesh.begin(polygon);
-  const auto size = static_cast<int>(mesh.ends[polygon] - begin);
-  std::vector<Triangle> triangles;
-  const auto corner = [&](vtkIdType i) { return mesh.points[mesh.corners[begin + i]]; };
-  if (size == 3)
+  const auto size = static_cast<int>(corners.size());
+  auto triangles = meshing::isConvex(corners) ? std::nullopt : meshing::triangulate(corners);
+  if (triangles)
   {
-    triangles.push_back({corner(0), corner(1), corner(2)});
-    return triangles;
+    return *triangles;
   }
   vtkNew<vtkPolygon> shape;
   shape->GetPoints()->SetDataTypeToDouble();
@@ -38,14 +36,36 @@ std::vector<Triangle> triangulate(const Mesh& mesh, std::size_t polygon)
   for (int i = 0; i < size; ++i)
   {
     shape->GetPointIds()->SetId(i, i);
-    shape->GetPoints()->SetPoint(i, corner(i).data());
+    shape->GetPoints()->SetPoint(i, corners[i].data());
   }
   vtkNew<vtkIdList> ids;
   shape->Triangulate(ids);
-  const Vector3 normal = mesh.area(polygon);
+  std::vector<std::array<std::uint32_t, 3>> cut;
   for (vtkIdType i = 0; i + 2 < ids->GetNumberOfIds(); i += 3)
   {
-    Triangle t{corner(ids->GetId(i)), corner(ids->GetId(i + 1)), corner(ids->GetId(i + 2))};
+    const auto number = [&](vtkIdType k) { return static_cast<std::uint32_t>(ids->GetId(i + k)); };
+    cut.push_back({number(0), number(1), number(2)});
+  }
+  return cut;
+}
+
+/** Triangles of one polygon, which may be concave and have holes. */
+std::vector<Triangle> trianglesOf(const Mesh& mesh, std::size_t polygon)
+{
+  std::vector<Vector3> corners;
+  for (std::int64_t i = mesh.begin(polygon); i < mesh.ends[polygon]; ++i)
+  {
+    corners.push_back(mesh.points[mesh.corners[i]]);
+  }
+  if (corners.size() == 3)
+  {
+    return {{corners[0], corners[1], corners[2]}};
+  }
+  const Vector3 normal = mesh.area(polygon);
+  std::vector<Triangle> triangles;
+  for (const auto& [a, b, c] : cutPolygon(corners))
+  {
+    Triangle t{corners[a], corners[b], corners[c]};
     // Ear cutting does not promise the polygon's own winding.
     if (dot(cross(t[1] - t[0], t[2] - t[0]), normal) < 0.0)
     {
@@ -136,7 +156,7 @@ vtkSmartPointer<vtkPolyData> makeSurfaceReceivers(const Mesh& mesh, double edgeL
   Output output(most);
   for (std::size_t p = 0; p < mesh.numberOfPolygons(); ++p)
   {
-    std::vector<Triangle> work = triangulate(mesh, p);
+    std::vector<Triangle> work = trianglesOf(mesh, p);
     while (!work.empty())
     {
       const Triangle t = work.back();
