@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/Tolerances.h"
+
 namespace kalos::meshing
 {
 namespace
@@ -37,7 +39,7 @@ void joinSegments(const std::vector<Segment>& segments, double distance, Curves&
     ends.points.push_back(s.end);
     ends.triangles.push_back({first, first + 1, first + 1});
   }
-  mergePoints(ends, distance);
+  mergePoints(ends, Tolerances(ends, distance));
   dropUnusedPoints(ends);
 
   // Link each end to the segment that continues it straight on.
