@@ -89,7 +89,7 @@ def with_light(**light):
     (with_light(type="laser"), 'lights[0].type: found "laser"; expected "point", "spot" or "directional"'),
     (with_light(type="point", color=[1, 1]), "lights[0].color: found [1,1]; expected three numbers"),
     (with_light(type="spot", spot={"outerConeAngle": 2}), "lights[0].spot.outerConeAngle: found 2; expected an angle above 0"),
-    (with_light(type="spot", spot={"innerConeAngle": 0.5, "outerConeAngle": 0.5}), "lights[0].spot.innerConeAngle: found 0.5"),
+    (with_light(type="spot", spot={"innerConeAngle": 0.6, "outerConeAngle": 0.5}), "lights[0].spot.innerConeAngle: found 0.6"),
     (with_light(node={"scale": [0, 0, 0]}, type="point"), "nodes[1]: a light or camera whose transform leaves it no direction"),
 ])
 def test_broken_lights(tmp_path, make, message):

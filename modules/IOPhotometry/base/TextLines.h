@@ -47,6 +47,7 @@ public:
   /** Go to the next line; false at the end. */
   bool next();
   const std::string& text() const { return this->Line; }
+  const std::string& path() const { return this->Path; }
   /** The words before a comment that `#` begins. */
   Words words() const { return Words(std::string_view(this->Line).substr(0, this->Line.find('#'))); }
   /** Throw an InputError about this line. */

@@ -11,6 +11,7 @@
 #include "../base/ByteOrder.h"
 #include "../base/FilePaths.h"
 #include "../base/InputError.h"
+#include "../base/Names.h"
 
 namespace kalos::scene
 {
@@ -88,8 +89,35 @@ std::string decodePercent(const std::string& text)
   return decoded;
 }
 
+/** What is read, or changes nothing that counts here. */
+const std::set<std::string> ReadExtensions = {"KHR_lights_punctual",        "KHR_materials_emissive_strength",
+                                              "KHR_mesh_quantization",      "EXT_mesh_gpu_instancing",
+                                              "KHR_node_visibility",        "KHR_materials_pbrSpecularGlossiness",
+                                              "KHR_texture_transform",      "KHR_draco_mesh_compression",
+                                              "KHR_materials_transmission", "KHR_materials_diffuse_transmission"};
+
+/** How often each extension stands in a value or below it. */
+void countExtensions(const nlohmann::json& json, std::map<std::string, int>& counts)
+{
+  for (const auto& [key, value] : json.items())
+  {
+    if (key == "extensions" && value.is_object())
+    {
+      for (const auto& [name, ignored] : value.items())
+      {
+        ++counts[name];
+      }
+    }
+    if (value.is_structured())
+    {
+      countExtensions(value, counts);
+    }
+  }
+}
+
 /** What Kalos knows or may pass over; files that require anything else can not be read. */
-const std::set<std::string> KnownExtensions = {"KHR_lights_punctual",        "KHR_materials_emissive_strength",
+const std::set<std::string> KnownExtensions = {"KHR_node_visibility",        "KHR_materials_pbrSpecularGlossiness",
+                                               "KHR_lights_punctual",        "KHR_materials_emissive_strength",
                                                "KHR_mesh_quantization",      "EXT_mesh_gpu_instancing",
                                                "KHR_materials_unlit",        "KHR_texture_transform",
                                                "KHR_materials_ior",          "KHR_materials_specular",
@@ -149,6 +177,20 @@ GltfFile::GltfFile(const std::string& path, Notes& notes) : Path(path), FileNote
     if (KnownExtensions.count(extension.string()) == 0)
     {
       extension.failExpected("a file without compression and extensions that Kalos does not know");
+    }
+  }
+}
+
+void GltfFile::tellExtensions(Notes& notes) const
+{
+  std::map<std::string, int> counts;
+  countExtensions(this->Json, counts);
+  for (const auto& [name, count] : counts)
+  {
+    if (ReadExtensions.count(name) == 0)
+    {
+      notes.push_back(
+          {"extension " + asUtf8(oneLine(name)), "left out", "it is not read (" + std::to_string(count) + " uses)"});
     }
   }
 }

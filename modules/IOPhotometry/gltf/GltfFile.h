@@ -40,6 +40,8 @@ public:
 
   /** The bytes of a buffer view. */
   Bytes view(const JsonCursor& view) const;
+  /** Tell `notes` of extensions in the file that do not count here, each with the number of its uses. */
+  void tellExtensions(Notes& notes) const;
   /** The bytes that "uri" or "bufferView" of an image name. */
   Bytes image(const JsonCursor& image) const;
 

@@ -50,9 +50,9 @@ void readCone(const JsonCursor& light, ModelLight& result)
   {
     outer->failExpected("an angle above 0 and at most pi/2");
   }
-  if (inner && !(result.innerAngle < result.outerAngle))
+  if (inner && !(result.innerAngle <= result.outerAngle))
   {
-    inner->failExpected("an angle below outerConeAngle");
+    inner->failExpected("an angle of at most outerConeAngle");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "../base/InputError.h"
 #include "../base/NoteCounter.h"
 #include "../material/AverageColor.h"
 #include "../material/MetallicRoughness.h"
@@ -51,30 +52,29 @@ class Reader
 public:
   Reader(const GltfFile& file, Notes& notes) : File(file), Found(notes) {}
 
-  Material read(const JsonCursor& node)
+  GltfMaterial read(const JsonCursor& node)
   {
     const std::string name = node.find("name") ? node.at("name").string() : node.where();
     MetallicRoughness source;
-    if (const auto pbr = node.find("pbrMetallicRoughness"))
+    const auto extensions = node.find("extensions");
+    const auto glossy = extensions ? extensions->find("KHR_materials_pbrSpecularGlossiness") : std::nullopt;
+    const auto pbr = node.find("pbrMetallicRoughness");
+    if (glossy)
     {
-      source.baseColor = color(*pbr, "baseColorFactor", 1.0, 1.0);
-      source.metallic = factor(*pbr, "metallicFactor", 1.0);
-      source.roughness = factor(*pbr, "roughnessFactor", 1.0);
-      if (const auto mean = this->average(*pbr, "baseColorTexture", name))
-      {
-        multiply(source.baseColor, mean->linear);
-      }
-      if (const auto mean = this->average(*pbr, "metallicRoughnessTexture", name))
-      {
-        source.roughness *= mean->encoded[1];
-        source.metallic *= mean->encoded[2];
-      }
+      this->readGlossiness(*glossy, name, source);
+    }
+    else if (pbr)
+    {
+      this->readMetallic(*pbr, name, source);
     }
     this->readEmission(node, name, source);
     MaterialChanges changes;
-    const Material material = convertMaterial(source, changes);
+    GltfMaterial result{convertMaterial(source, changes), source};
+    const auto sides = node.find("doubleSided");
+    result.emitsOnBothSides = sides && sides->boolean() && luminanceOf(source.luminance) > 0.0;
+    this->tellEmission(name, source, result.emitsOnBothSides);
     this->tell(node, name, changes);
-    return material;
+    return result;
   }
 
 private:
@@ -84,6 +84,38 @@ private:
     {
       color[c] *= by[c];
     }
+  }
+
+  void readMetallic(const JsonCursor& pbr, const std::string& name, MetallicRoughness& source)
+  {
+    source.baseColor = color(pbr, "baseColorFactor", 1.0, 1.0);
+    source.metallic = factor(pbr, "metallicFactor", 1.0);
+    source.roughness = factor(pbr, "roughnessFactor", 1.0);
+    if (const auto mean = this->average(pbr, "baseColorTexture", name))
+    {
+      multiply(source.baseColor, mean->linear);
+    }
+    if (const auto mean = this->average(pbr, "metallicRoughnessTexture", name))
+    {
+      source.roughness *= mean->encoded[1];
+      source.metallic *= mean->encoded[2];
+    }
+  }
+
+  void readGlossiness(const JsonCursor& glossy, const std::string& name, MetallicRoughness& source)
+  {
+    source.baseColor = color(glossy, "diffuseFactor", 1.0, 1.0);
+    source.roughness = 1.0 - factor(glossy, "glossinessFactor", 1.0);
+    std::array<double, 3> specular = color(glossy, "specularFactor", 1.0, 1.0);
+    if (const auto mean = this->average(glossy, "diffuseTexture", name))
+    {
+      multiply(source.baseColor, mean->linear);
+    }
+    if (const auto mean = this->average(glossy, "specularGlossinessTexture", name))
+    {
+      multiply(specular, mean->linear);
+    }
+    source.specular = luminanceOf(specular);
   }
 
   void readEmission(const JsonCursor& node, const std::string& name, MetallicRoughness& source)
@@ -97,10 +129,15 @@ private:
     {
       multiply(source.luminance, mean->linear);
     }
+  }
+
+  void tellEmission(const std::string& name, const MetallicRoughness& source, bool bothSides)
+  {
     if (luminanceOf(source.luminance) > 0.0)
     {
       this->Found.count("emissive materials", name, "exitance pi L",
-                        "glTF gives their luminance in cd/m2; they emit by Lambert's law on the side of the normal");
+                        std::string("glTF gives their luminance in cd/m2; they emit by Lambert's law ") +
+                            (bothSides ? "on both sides" : "on the side of the normal"));
     }
   }
 
@@ -146,8 +183,7 @@ private:
       auto found = this->Images.find(image);
       if (found == this->Images.end())
       {
-        const Bytes bytes = this->File.image(this->File.section("images")[image]);
-        found = this->Images.emplace(image, readAverageColor(bytes.data, bytes.size, problem)).first;
+        found = this->Images.emplace(image, this->decode(this->File.section("images")[image], problem)).first;
       }
       if (found->second)
       {
@@ -159,21 +195,51 @@ private:
     return nullptr;
   }
 
+  /** None, with the reason, for an image that is not there as well. */
+  std::optional<AverageColor> decode(const JsonCursor& image, std::string& problem) const
+  {
+    try
+    {
+      const Bytes bytes = this->File.image(image);
+      return readAverageColor(bytes.data, bytes.size, problem);
+    }
+    catch (const InputError& error)
+    {
+      problem = error.what();
+      return {};
+    }
+  }
+
   const GltfFile& File;
   NoteCounter Found;
   std::map<std::size_t, std::optional<AverageColor>> Images;
 };
 }  // namespace
 
-std::vector<Material> readGltfMaterials(const GltfFile& file, const Materials& overrides, Notes& notes)
+Material multiplyBaseColor(const GltfMaterial& material, const std::array<double, 3>& color)
 {
-  std::vector<Material> materials;
+  if (!material.source)
+  {
+    return material.material;
+  }
+  MetallicRoughness source = *material.source;
+  for (int c = 0; c < 3; ++c)
+  {
+    source.baseColor[c] *= color[c];
+  }
+  MaterialChanges ignored;
+  return convertMaterial(source, ignored);
+}
+
+std::vector<GltfMaterial> readGltfMaterials(const GltfFile& file, const Materials& overrides, Notes& notes)
+{
+  std::vector<GltfMaterial> materials;
   Reader reader(file, notes);
   for (const JsonCursor& node : file.section("materials"))
   {
     const auto name = node.find("name");
     const auto given = name ? overrides.find(name->string()) : overrides.end();
-    materials.push_back(given != overrides.end() ? given->second : reader.read(node));
+    materials.push_back(given != overrides.end() ? GltfMaterial{given->second, {}} : reader.read(node));
   }
   return materials;
 }

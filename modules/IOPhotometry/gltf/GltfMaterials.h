@@ -3,19 +3,33 @@
 #ifndef KalosGltfMaterials_h
 #define KalosGltfMaterials_h
 
+#include <optional>
 #include <vector>
 
 #include "../base/Notes.h"
 #include "../material/Material.h"
+#include "../material/MetallicRoughness.h"
 #include "GltfFile.h"
 
 namespace kalos::scene
 {
+struct GltfMaterial
+{
+  Material material;
+  /** What `material` was made of; none if the scene gave it. */
+  std::optional<MetallicRoughness> source;
+  bool emitsOnBothSides = false;
+};
+
+/** The material with its base colour multiplied, as the colours of points do; unchanged if the scene gave it. */
+Material multiplyBaseColor(const GltfMaterial& material, const std::array<double, 3>& color);
+
 /**
  * One material each of the file's, or the one of `overrides` that has its name. Textures count by their mean colour
- * times the factor beside them. What is approximated is added to `notes`.
+ * times the factor beside them; KHR_materials_pbrSpecularGlossiness is read as well. What is approximated is added to
+ * `notes`.
  */
-std::vector<Material> readGltfMaterials(const GltfFile& file, const Materials& overrides, Notes& notes);
+std::vector<GltfMaterial> readGltfMaterials(const GltfFile& file, const Materials& overrides, Notes& notes);
 }  // namespace kalos::scene
 
 #endif

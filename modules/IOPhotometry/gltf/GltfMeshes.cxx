@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GltfMeshes.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "GltfAccessor.h"
 
 namespace kalos::scene
 {
 namespace
 {
+constexpr double LastRowRounding = 1e-5;
+
 enum Mode
 {
   Triangles = 4,
@@ -42,6 +47,29 @@ std::vector<std::array<std::uint32_t, 3>> assemble(const JsonCursor& primitive, 
   return triangles;
 }
 
+/** The numbers of points in the order of the corners. */
+std::vector<std::uint32_t> readOrder(const GltfFile& file, const JsonCursor& primitive, std::size_t points)
+{
+  std::vector<std::uint32_t> order;
+  if (const auto indices = primitive.find("indices"))
+  {
+    order = readIndices(file, *indices);
+    for (const std::uint32_t i : order)
+    {
+      if (i >= points)
+      {
+        indices->fail("point " + std::to_string(i) + " is named; expected one of the " + std::to_string(points));
+      }
+    }
+    return order;
+  }
+  for (std::uint32_t i = 0; i < points; ++i)
+  {
+    order.push_back(i);
+  }
+  return order;
+}
+
 Transform fromParts(const Vector3& translation, const std::array<double, 4>& q, const Vector3& scale)
 {
   const double length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
@@ -72,7 +100,9 @@ std::vector<double> readNumbers(const JsonCursor& array, std::size_t count)
 Transform fromMatrix(const JsonCursor& matrix)
 {
   const std::vector<double> m = readNumbers(matrix, 16);
-  if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0)
+  // Products in single precision leave a last row that is a little off.
+  const double off = std::max({std::abs(m[3]), std::abs(m[7]), std::abs(m[11]), std::abs(m[15] - 1.0)});
+  if (!(off <= LastRowRounding))
   {
     matrix.fail("a projection; expected 0, 0, 0, 1 in the last row");
   }
@@ -97,26 +127,9 @@ void GltfMeshes::readPrimitive(const JsonCursor& primitive, const std::string& n
   {
     this->Found.count("morphed meshes", name, "in their first shape", "nothing moves here");
   }
+  this->refuseCompression(primitive, *position);
   const std::vector<Vector3> points = readPoints(this->File, *position);
-  std::vector<std::uint32_t> order;
-  if (const auto indices = primitive.find("indices"))
-  {
-    order = readIndices(this->File, *indices);
-    for (const std::uint32_t i : order)
-    {
-      if (i >= points.size())
-      {
-        indices->fail("point " + std::to_string(i) + " is named; expected one of the " + std::to_string(points.size()));
-      }
-    }
-  }
-  else
-  {
-    for (std::uint32_t i = 0; i < points.size(); ++i)
-    {
-      order.push_back(i);
-    }
-  }
+  const std::vector<std::uint32_t> order = readOrder(this->File, primitive, points.size());
   const auto number = primitive.find("material");
   const std::int32_t material = number ? static_cast<std::int32_t>(this->File.index(*number, "materials")) : -1;
   const auto triangles = assemble(primitive, mode, order);
@@ -126,6 +139,7 @@ void GltfMeshes::readPrimitive(const JsonCursor& primitive, const std::string& n
     primitive.fail("too many triangles or points in one mesh; expected at most " + std::to_string(MaximumTriangles) +
                    " triangles with three points each");
   }
+  this->readColors(primitive, name, triangles, mesh);
   const auto first = static_cast<std::uint32_t>(mesh.points.size());
   for (const auto& t : triangles)
   {
@@ -133,6 +147,50 @@ void GltfMeshes::readPrimitive(const JsonCursor& primitive, const std::string& n
     mesh.materialOf.push_back(material);
   }
   mesh.points.insert(mesh.points.end(), points.begin(), points.end());
+}
+
+void GltfMeshes::refuseCompression(const JsonCursor& primitive, const JsonCursor& position) const
+{
+  const auto extensions = primitive.find("extensions");
+  const bool compressed = extensions && extensions->has("KHR_draco_mesh_compression");
+  if (compressed && !this->File.element(position, "accessors").has("bufferView"))
+  {
+    primitive.fail("its points are compressed (KHR_draco_mesh_compression); expected a file without compression");
+  }
+}
+
+/** COLOR_0 of the points of the triangles about to be added; white for triangles without, where others have some. */
+void GltfMeshes::readColors(const JsonCursor& primitive, const std::string& name,
+                            const std::vector<std::array<std::uint32_t, 3>>& triangles, GltfMesh& mesh)
+{
+  const std::size_t before = mesh.triangles.size();
+  const auto number = primitive.at("attributes").find("COLOR_0");
+  if (!number)
+  {
+    mesh.colorOf.resize(mesh.colorOf.empty() ? 0 : before + triangles.size(), {1.0, 1.0, 1.0});
+    return;
+  }
+  const std::string type = this->File.element(*number, "accessors").at("type").string();
+  const std::size_t size = type == "VEC4" ? 4 : 3;
+  const std::vector<double> colors = readVectors(this->File, *number, type == "VEC4" ? "VEC4" : "VEC3");
+  mesh.colorOf.resize(before, {1.0, 1.0, 1.0});
+  for (const auto& triangle : triangles)
+  {
+    std::array<double, 3> mean{};
+    for (const std::uint32_t point : triangle)
+    {
+      if (size * point + 3 > colors.size())
+      {
+        number->fail("fewer colours than points; expected as many");
+      }
+      for (int c = 0; c < 3; ++c)
+      {
+        mean[c] += std::clamp(colors[size * point + c], 0.0, 1.0) / 3.0;
+      }
+    }
+    mesh.colorOf.push_back(mean);
+  }
+  this->Found.count("colours of points", name, "the mean of each triangle", "they multiply the base colour");
 }
 
 const GltfMesh& GltfMeshes::read(const JsonCursor& number)

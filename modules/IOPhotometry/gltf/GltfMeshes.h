@@ -22,6 +22,7 @@ struct GltfMesh
   std::vector<Vector3> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::int32_t> materialOf;
+  std::vector<std::array<double, 3>> colorOf;  ///< of each triangle, linear, the mean of its points; empty without any
 };
 
 class GltfMeshes
@@ -34,6 +35,9 @@ public:
 
 private:
   void readPrimitive(const JsonCursor& primitive, const std::string& name, GltfMesh& mesh);
+  void refuseCompression(const JsonCursor& primitive, const JsonCursor& position) const;
+  void readColors(const JsonCursor& primitive, const std::string& name,
+                  const std::vector<std::array<std::uint32_t, 3>>& triangles, GltfMesh& mesh);
 
   const GltfFile& File;
   NoteCounter Found;

@@ -44,7 +44,7 @@ bool limitReflectance(Material& material)
 
 Material convertMaterial(const MetallicRoughness& source, MaterialChanges& changes)
 {
-  const double metallic = std::clamp(source.metallic, 0.0, 1.0);
+  const double metallic = source.specular ? *source.specular : std::clamp(source.metallic, 0.0, 1.0);
   const double roughness = std::clamp(source.roughness, 0.0, 1.0);
   std::array<double, 3> diffuse{}, exitance{};
   for (int c = 0; c < 3; ++c)
@@ -52,15 +52,15 @@ Material convertMaterial(const MetallicRoughness& source, MaterialChanges& chang
     diffuse[c] = (1.0 - metallic) * std::clamp(source.baseColor[c], 0.0, 1.0);
     exitance[c] = Pi * source.luminance[c];
   }
-  const bool roughDielectric = metallic < 1.0 && roughness >= RoughSurface;
-  const double lobe =
-      metallic * luminanceOf(source.baseColor) + (roughDielectric ? 0.0 : (1.0 - metallic) * DielectricReflectance);
+  const bool roughDielectric = !source.specular && metallic < 1.0 && roughness >= RoughSurface;
+  const double dielectric = roughDielectric ? 0.0 : (1.0 - metallic) * DielectricReflectance;
+  const double lobe = source.specular ? metallic : metallic * luminanceOf(source.baseColor) + dielectric;
   Material material;
   material.reflectance = bandsOf(diffuse);
   material.exitance = bandsOf(exitance);
   material.roughness = std::max(roughness, SmoothMirror);
   (roughness < SmoothMirror ? material.mirror : material.specular) = lobe;
-  changes.neutralMetal = metallic > 0.0 && bandsOf(source.baseColor).size() > 1;
+  changes.neutralMetal = !source.specular && metallic > 0.0 && bandsOf(source.baseColor).size() > 1;
   changes.roughDielectric = roughDielectric;
   changes.limited = limitReflectance(material);
   return material;

@@ -4,6 +4,7 @@
 #define KalosMetallicRoughness_h
 
 #include <array>
+#include <optional>
 
 #include "Material.h"
 
@@ -15,6 +16,8 @@ struct MetallicRoughness
   double metallic = 1.0;                           ///< [0,1]
   double roughness = 1.0;                          ///< [0,1]
   std::array<double, 3> luminance{};               ///< emitted, cd/m² per band
+  /** Reflectance at normal incidence of the lobe, where a file gives it in place of metallic. */
+  std::optional<double> specular = {};
 };
 
 /** Total reflectance at normal incidence that no model may exceed; the best of white paints stay below. */
@@ -34,7 +37,8 @@ struct MaterialChanges
 /**
  * Diffuse reflectance (1 - metallic) base colour; a lobe of normal-incidence reflectance F0 = 0.04 (1 - metallic) +
  * metallic Y(base colour) of the same roughness, or below roughness 0.02 a perfect mirror; exitance pi L. One band if
- * all colours are neutral.
+ * all colours are neutral. With a specular reflectance, the base colour is diffuse as far as the lobe leaves it, and F0
+ * is that reflectance.
  */
 Material convertMaterial(const MetallicRoughness& source, MaterialChanges& changes);
 

@@ -154,7 +154,7 @@ Mesh readMeshFile(const JsonCursor& place, const std::string& path, const Materi
   }
   else if (type == ".ply")
   {
-    mesh = readPlyFile(path);
+    mesh = readPlyFile(path, notes);
   }
   else if (type == ".stl")
   {

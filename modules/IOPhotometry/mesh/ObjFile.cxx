@@ -40,6 +40,12 @@ public:
     {
       this->parseLine();
     }
+    if (this->HasColors)
+    {
+      const std::string& path = this->Lines.path();
+      this->Found.count("colours of points", path.substr(path.find_last_of('/') + 1), "left out",
+                        "materials alone count");
+    }
     return std::move(this->Result);
   }
 
@@ -97,6 +103,8 @@ private:
       this->Lines.fail("a vertex without three numbers; expected v X Y Z");
     }
     this->Result.polygons.points.push_back(point);
+    double color[3];
+    this->HasColors = this->HasColors || (words.number(color[0]) && words.number(color[1]) && words.number(color[2]));
   }
 
   void parseFace(Words& words)
@@ -159,6 +167,7 @@ private:
   std::int32_t Material = -1;
   std::size_t Object = 0;
   bool HasObjects = false;
+  bool HasColors = false;
 };
 }  // namespace
 

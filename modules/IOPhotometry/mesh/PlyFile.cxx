@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlyFile.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
@@ -25,9 +26,10 @@ class PlyParser
 public:
   explicit PlyParser(const std::string& path) : Path(path), File(path, std::ios::binary) {}
 
-  Mesh parse()
+  Mesh parse(Notes& notes)
   {
     this->Header = readPlyHeader(this->File, this->Path);
+    this->tellColors(notes);
     for (const PlyElement& element : this->Header.elements)
     {
       for (std::int64_t i = 0; i < element.size; ++i)
@@ -44,6 +46,18 @@ private:
   [[noreturn]] void fail(const std::string& what) const
   {
     throw InputError(this->Path, this->Place->name + " " + std::to_string(this->Index + 1), what);
+  }
+
+  void tellColors(Notes& notes) const
+  {
+    for (const PlyElement& element : this->Header.elements)
+    {
+      const auto isColor = [](const PlyProperty& p) { return p.name == "red" || p.name == "diffuse_red"; };
+      if (element.size > 0 && std::any_of(element.properties.begin(), element.properties.end(), isColor))
+      {
+        notes.push_back({"colours of a PLY", "left out", "materials alone count (" + element.name + ")"});
+      }
+    }
   }
 
   Item parseItem(const PlyElement& element)
@@ -184,8 +198,8 @@ private:
 };
 }  // namespace
 
-Mesh readPlyFile(const std::string& path)
+Mesh readPlyFile(const std::string& path, Notes& notes)
 {
-  return PlyParser(path).parse();
+  return PlyParser(path).parse(notes);
 }
 }  // namespace kalos::scene

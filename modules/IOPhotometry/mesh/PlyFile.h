@@ -14,9 +14,10 @@ namespace kalos::scene
 {
 /**
  * Read the vertices' x, y, z, the faces' vertex_indices (or vertex_index) and the strips of the element tristrips,
- * which -1 parts; other elements and properties are passed over. An empty mesh without faces and strips.
+ * which -1 parts; other elements and properties are passed over. An empty mesh without faces and strips. Colours are
+ * told to `notes`.
  */
-Mesh readPlyFile(const std::string& path);
+Mesh readPlyFile(const std::string& path, Notes& notes);
 }  // namespace kalos::scene
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "../base/NoteCounter.h"
 #include "../gltf/GltfFile.h"
@@ -21,7 +22,11 @@ public:
   Walk(const GltfFile& file, const ModelUse& use, Model& model)
       : File(file), Use(use), Result(model), Meshes(file, model.approximations), Found(model.approximations)
   {
-    this->Palette = readGltfMaterials(file, *use.overrides, model.approximations);
+    this->Sources = readGltfMaterials(file, *use.overrides, model.approximations);
+    for (const GltfMaterial& source : this->Sources)
+    {
+      this->Palette.push_back(source.material);
+    }
     this->Unnamed = static_cast<std::int32_t>(this->Palette.size());
     Material plain;
     plain.reflectance = {UnnamedReflectance};
@@ -55,8 +60,27 @@ private:
     }
   }
 
+  /** Whether KHR_node_visibility hides the node and all below it. */
+  bool isHidden(const JsonCursor& node)
+  {
+    const auto extensions = node.find("extensions");
+    const auto holder = extensions ? extensions->find("KHR_node_visibility") : std::nullopt;
+    const auto visible = holder ? holder->find("visible") : std::nullopt;
+    if (!visible || visible->boolean())
+    {
+      return false;
+    }
+    this->Found.count("hidden nodes", node.has("name") ? node.at("name").string() : node.where(), "left out",
+                      "with all that hangs on them");
+    return true;
+  }
+
   void visit(const JsonCursor& node, const Transform& world)
   {
+    if (this->isHidden(node))
+    {
+      return;
+    }
     if (node.has("mesh"))
     {
       this->addPart(node, world);
@@ -119,9 +143,17 @@ private:
     {
       const auto& [a, b, c] = source.triangles[t];
       const std::int32_t material = source.materialOf[t];
-      plain = plain || material < 0;
-      mesh.addPolygon({first + a, first + (turned ? c : b), first + (turned ? b : c)},
-                      material < 0 ? this->Unnamed : material);
+      const bool colored = !source.colorOf.empty();
+      plain = plain || (material < 0 && !colored);
+      const std::int32_t number = colored        ? this->coloredNumber(material, source.colorOf[t])
+                                  : material < 0 ? this->Unnamed
+                                                 : material;
+      const std::int64_t second = first + (turned ? c : b), third = first + (turned ? b : c);
+      mesh.addPolygon({first + a, second, third}, number);
+      if (material >= 0 && this->Sources[material].emitsOnBothSides)
+      {
+        mesh.addPolygon({first + a, third, second}, number);
+      }
     }
     if (plain && !this->Use.fallback)
     {
@@ -129,12 +161,30 @@ private:
     }
   }
 
+  /** The number in Palette of a material whose base colour points multiply; without a material they are the colour. */
+  std::int32_t coloredNumber(std::int32_t material, const std::array<double, 3>& color)
+  {
+    const auto [known, added] =
+        this->Colored.emplace(std::make_pair(material, color), static_cast<std::int32_t>(this->Palette.size()));
+    if (added)
+    {
+      MetallicRoughness plain;
+      plain.metallic = 0.0;
+      GltfMaterial source{this->Palette[this->Unnamed], {}};
+      source.source = this->Use.fallback ? std::nullopt : std::optional<MetallicRoughness>(plain);
+      this->Palette.push_back(multiplyBaseColor(material < 0 ? source : this->Sources[material], color));
+    }
+    return known->second;
+  }
+
   const GltfFile& File;
   const ModelUse& Use;
   Model& Result;
   GltfMeshes Meshes;
   NoteCounter Found;
+  std::vector<GltfMaterial> Sources;
   std::vector<Material> Palette;
+  std::map<std::pair<std::int32_t, std::array<double, 3>>, std::int32_t> Colored;
   std::int32_t Unnamed = 0;
   std::vector<bool> Visited;
   std::vector<std::pair<std::size_t, Transform>> Work;
@@ -160,6 +210,7 @@ Model readGltfModel(const std::string& path, const ModelUse& use)
 {
   Model model;
   const GltfFile file(path, model.approximations);
+  file.tellExtensions(model.approximations);
   Walk(file, use, model).run(roots(file));
   return model;
 }

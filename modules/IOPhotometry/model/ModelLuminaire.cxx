@@ -36,18 +36,19 @@ void setRoundBeam(vtkKalosLuminaireSource* source, const std::vector<double>& an
 
 void makeSpot(const ModelLight& light, vtkKalosLuminaireSource* source)
 {
-  const double inner = std::cos(light.innerAngle), outer = std::cos(light.outerAngle);
+  // As the extension writes it: the difference of the cosines is at least 0.001.
+  const double outer = std::cos(light.outerAngle), inner = std::max(std::cos(light.innerAngle), outer + 0.001);
+  const double innerAngle = std::acos(std::min(1.0, inner));
   std::vector<double> angles, candela;
-  if (light.innerAngle > 0.0)
+  if (innerAngle > 0.0)
   {
     angles.push_back(0.0);
     candela.push_back(light.strength);
   }
   for (int i = 0; i <= SpotSteps; ++i)
   {
-    const double angle = light.innerAngle + (light.outerAngle - light.innerAngle) * i / SpotSteps;
-    // As the extension writes it: the difference of the cosines is at least 0.001.
-    const double share = std::clamp((std::cos(angle) - outer) / std::max(0.001, inner - outer), 0.0, 1.0);
+    const double angle = innerAngle + (light.outerAngle - innerAngle) * i / SpotSteps;
+    const double share = std::clamp((std::cos(angle) - outer) / (inner - outer), 0.0, 1.0);
     angles.push_back(std::min(180.0, angle * 180.0 / Pi));
     candela.push_back(light.strength * share * share);
   }

@@ -101,7 +101,9 @@ vtkSmartPointer<vtkPolyData> readPolygons(const std::string& path, const std::st
     addNames(file, data);
     return data;
   }
-  const Mesh mesh = type == ".ply" ? readPlyFile(path) : type == ".stl" ? readStlFile(path, notes) : readOffFile(path);
+  const Mesh mesh = type == ".ply"   ? readPlyFile(path, notes)
+                    : type == ".stl" ? readStlFile(path, notes)
+                                     : readOffFile(path);
   mesh.check(path, "face");
   return makePolyData(mesh);
 }
