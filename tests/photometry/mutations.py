@@ -96,7 +96,7 @@ def ies_cases():
     yield "candela-huge", swap(IES, "250 120", "1e300 120"), "candela: found 1e+300 in plane 0 at angle 45; expected 0 or more"
     yield "candela-hex", swap(IES, "250 120", "0x1F 120"), 'found "0x1F"; expected a number'
     yield "commas", IES.replace(" 45", ",45").replace(" 90", ", 90"), set()
-    yield "comma-decimals", swap(IES, "22.5", "22,5"), "line 7: vertical angle: found 5 after 22; expected angles in ascending"
+    yield "comma-decimals", swap(IES, "22.5", "22,5"), {"ies-decimal-comma"}
     yield "crlf", IES.replace("\n", "\r\n"), set()
     yield "cr-only", IES.replace("\n", "\r"), set()
     yield "latin-1", swap(IES, "Downlight", "Röhre 60°").encode("latin-1"), set()
