@@ -9,6 +9,7 @@
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkKalosArrayNames.h"
+#include "vtkKalosCandelaText.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -177,6 +178,10 @@ int vtkKalosLuminaireSource::RequestData(vtkInformation*, vtkInformationVector**
   names->SetName(vtkKalosArrayNames::LuminaireNames);
   names->InsertNextValue(this->Name);
   data->AddArray(names);
+  vtkNew<vtkStringArray> tables;
+  tables->SetName(vtkKalosArrayNames::CandelaTables);
+  tables->InsertNextValue(measured ? vtkKalosCandelaText::Write(this->CandelaTable, this->SidePole) : std::string());
+  data->AddArray(tables);
   if (measured)
   {
     vtkNew<vtkDoubleArray> table;
