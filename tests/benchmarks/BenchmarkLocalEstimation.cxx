@@ -47,7 +47,7 @@ struct BareRays
     PairBlock block;
     for (std::size_t i = 0; i < receivers.points.size(); ++i)
     {
-      const Sensor r(scene, receivers.points[i] - scene.origin(), receivers.normals[i]);
+      const Sensor r(placeReceiver(scene, receivers.points[i] - scene.origin(), receivers.normals[i]));
       for (std::size_t begin = 0; begin < v.size(); begin += PairBlock::capacity)
       {
         formPairs(v, begin, static_cast<int>(std::min<std::size_t>(PairBlock::capacity, v.size() - begin)), r, 0,
@@ -56,13 +56,7 @@ struct BareRays
         {
           if (lane == 0)
             packets.emplace_back();
-          SegmentPacket& p = packets.back();
-          const int j = block.index[k];
-          const Vec3& from = r.anchor.lifted;
-          p.ox[lane] = from.x, p.oy[lane] = from.y, p.oz[lane] = from.z;
-          p.dx[lane] = v.px[j] + v.offset[j] * v.nx[j] - p.ox[lane];
-          p.dy[lane] = v.py[j] + v.offset[j] * v.ny[j] - p.oy[lane];
-          p.dz[lane] = v.pz[j] + v.offset[j] * v.nz[j] - p.oz[lane];
+          packets.back().set(lane, r.anchor, v.anchor(static_cast<std::size_t>(block.index[k])));
         }
       }
     }
@@ -124,7 +118,7 @@ void UnshadowedPairs(benchmark::State& state)
   for (auto _ : state)
     for (std::size_t i = 0; i < receivers.points.size(); ++i)
     {
-      const Sensor r(scene, receivers.points[i] - scene.origin(), receivers.normals[i]);
+      const Sensor r(placeReceiver(scene, receivers.points[i] - scene.origin(), receivers.normals[i]));
       for (std::size_t begin = 0; begin + VertexTile::capacity <= v.size(); begin += VertexTile::capacity)
       {
         scoreTile({v, begin, VertexTile::capacity}, r, 0.01, scores);

@@ -61,7 +61,7 @@ TEST(SphereAverage, PublishedWeightIsLow)
 TEST(SphereAverage, OneSampleEstimateIsUnbiased)
 {
   const Scene scene(rooms::litRoom(0.5));
-  Sensor sensor(scene, {0, 0, 0}, {0, 0, 1});
+  Sensor sensor(placeReceiver(scene, {0, 0, 0}, {0, 0, 1}));
   const Vec3 n = normalized(Vec3{0.3, 0.2, -1});
   const double epsilon = 0.15;
   for (const Vec3& y : {Vec3{0.05, 0.02, 0.06}, Vec3{0.1, -0.05, 0.2}})
@@ -126,7 +126,7 @@ TEST(Clamped, LimitIsThatOfFacingElements)
   const Clamped clamped(0.5);
   const Scene scene(rooms::litRoom(0.5));
   RandomStream random(1, 0, Purpose::Averaging, 0);
-  const Sensor sensor(scene, {0, 0, 0}, {0, 0, 1});
+  const Sensor sensor(placeReceiver(scene, {0, 0, 0}, {0, 0, 1}));
   EXPECT_DOUBLE_EQ(clamped.kernel(0, sensor, {}, {}, 7, random), 1 / (pi * 0.25));
   EXPECT_DOUBLE_EQ(clamped.kernel(0, sensor, {}, {}, 0.1, random), 0.1);
 }

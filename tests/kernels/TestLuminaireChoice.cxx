@@ -97,7 +97,7 @@ std::vector<Sensor> sensors(const Scene& scene, int count)
   {
     const Vec3 p = randomVector(random, 5);
     const double u = random.next();
-    found.emplace_back(scene, p - scene.origin(), uniformSphere(u, random.next()));
+    found.emplace_back(placeReceiver(scene, p - scene.origin(), uniformSphere(u, random.next())));
   }
   return found;
 }
@@ -282,7 +282,7 @@ TEST(LuminaireChoice, GlossSeesTheSumOfRectangles)
     some.luminaires = luminaires;
     const Scene scene(some);
     const DirectLight light(scene, false, false);
-    Sensor s(scene, Vec3{2, 2.5, 1} - scene.origin(), {0, 0, 1});
+    Sensor s(placeReceiver(scene, Vec3{2, 2.5, 1} - scene.origin(), {0, 0, 1}));
     s.brdf = &brdf;
     s.outgoing = normalized({-0.4, 0.1, 1});
     double sum = 0, squares = 0;

@@ -16,7 +16,7 @@ constexpr int capacity = ReceiverGroup::capacity;
 
 Sensor at(const Scene& scene, const Vec3& p, const Vec3& n)
 {
-  return Sensor(scene, p - scene.origin(), n);
+  return Sensor(placeReceiver(scene, p - scene.origin(), n));
 }
 
 // Five receivers in a row on the floor, 0.5 m apart.

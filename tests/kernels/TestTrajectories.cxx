@@ -64,7 +64,7 @@ TEST(Trajectories, RectanglesEmitAllOver)
   for (int i = 0; i < count; ++i)
   {
     SampleStream random(Sampling::Independent, 5, 0, Purpose::Trajectory, i);
-    const Vec3 p = emission.sample(random).position + scene.origin() - Vec3{2, 3, 4};
+    const Vec3 p = emission.sample(random).anchor.point + scene.origin() - Vec3{2, 3, 4};
     const double x[2] = {p.x / 1.2, p.y / 0.4};
     for (int k = 0; k < 2; ++k)
     {
@@ -86,7 +86,7 @@ TEST(PairKernel, AgreesWithTheFormula)
   const Emission emission(scene);
   const VertexSet v = traceTrajectories(scene, emission, {}, 0, 0, 2000).reflected;
   const Vec3 n = normalized(Vec3{0.2, 0.3, 1});
-  const Sensor receiver(scene, Vec3{2.4, 2.5, 1} - scene.origin(), n);
+  const Sensor receiver(placeReceiver(scene, Vec3{2.4, 2.5, 1} - scene.origin(), n));
   std::size_t scored = 0, expected = 0;
   for (std::size_t begin = 0; begin < v.size(); begin += PairBlock::capacity)
   {
@@ -116,7 +116,7 @@ TEST(VectorKernel, IsExactAtEveryDistance)
 {
   const Scene scene(rooms::furnace(0.6, 0));
   const Vec3 n = normalized(Vec3{0.2, 0.3, 1});
-  const Sensor sensor(scene, Vec3{2.4, 0.5, 1} - scene.origin(), n);
+  const Sensor sensor(placeReceiver(scene, Vec3{2.4, 0.5, 1} - scene.origin(), n));
   RandomStream random(1, 0, Purpose::Selection, 0);
   auto direction = [&] {
     const double u1 = random.next(), u2 = random.next();
@@ -124,8 +124,10 @@ TEST(VectorKernel, IsExactAtEveryDistance)
   };
   VertexSet v;
   for (int i = 0; i < 1000; ++i)
-    v.add(scene, sensor.position + std::pow(10, 8 * random.next() - 6) * direction(), direction(),
-          uniformBands(1 + random.next()), 0.1 + random.next());
+  {
+    const Vec3 p = sensor.position + std::pow(10, 8 * random.next() - 6) * direction();
+    v.add(scene.anchor(p, direction()), uniformBands(1 + random.next()), 0.1 + random.next());
+  }
   double largestError = 0;
   std::size_t scored = 0;
   for (double share : {0.0, 0.02, 5.0})

@@ -29,7 +29,7 @@ VertexSet numbered(int count)
     v.py.push_back(2 * static_cast<float>(random.next()));
     v.pz.push_back(static_cast<float>(random.next()));
     for (std::vector<float>* values :
-         {&v.nx, &v.ny, &v.nz, &v.offset, &v.inverseDensity, &v.luminous, &v.flux[0], &v.flux[1]})
+         {&v.nx, &v.ny, &v.nz, &v.lift, &v.slope, &v.inverseDensity, &v.luminous, &v.flux[0], &v.flux[1]})
       values->push_back(number);
     v.brdf.push_back(&brdfs[i % 2]);
     v.incident.push_back({number, 0, 0});
@@ -87,7 +87,7 @@ TEST(VertexOrder, VerticesKeepWhatIsTheirsAndStayInTheirTile)
     seen[was] = 1;
     EXPECT_EQ(i / VertexTile::capacity, was / VertexTile::capacity);
     EXPECT_EQ(length(v.position(i) - before.position(was)), 0);
-    for (const float value : {v.nx[i], v.ny[i], v.nz[i], v.offset[i], v.inverseDensity[i], v.flux[0][i], v.flux[1][i]})
+    for (const float value : {v.nx[i], v.ny[i], v.nz[i], v.lift[i], v.slope[i], v.inverseDensity[i], v.flux[0][i], v.flux[1][i]})
       EXPECT_EQ(value, number);
     EXPECT_EQ(v.brdf[i], before.brdf[was]);
     EXPECT_EQ(v.incident[i].x, number);
@@ -130,7 +130,7 @@ TEST(VertexOrder, PicksVaryLess)
   ASSERT_GE(traced.size(), tiles * size);
   VertexSet spread = traced;
   spreadOverLanes(spread);
-  const Sensor sensor(scene, Vec3{0.8, 2.5, 0} - scene.origin(), {0, 0, 1});
+  const Sensor sensor(placeReceiver(scene, Vec3{0.8, 2.5, 0} - scene.origin(), {0, 0, 1}));
   auto variance = [&](const VertexSet& v) {
     RandomStream random(7, 0, Purpose::Selection, 0);
     double all = 0;

@@ -69,7 +69,7 @@ bool CompensatedLight::prepare(const std::vector<Sensor>& sensors, Workers& work
     for (std::size_t r = tile * tileSize; r < std::min(sensors.size(), (tile + 1) * tileSize); ++r)
     {
       this->Gathers[r] = this->needsRays(sensors[r]);
-      this->InGap[r] = this->Gathers[r] && isInGap(this->Lit, sensors[r].position, sensors[r].normal);
+      this->InGap[r] = this->Gathers[r] && isInGap(this->Lit, sensors[r].anchor);
     }
   });
 }

@@ -37,14 +37,14 @@ struct Emitter
 std::vector<Emitter> emitters(const Scene& scene)
 {
   std::vector<Emitter> points;
-  for (const Luminaire& l : scene.data().luminaires)
-    if (l.flux > 0)
-      points.push_back({scene.shadowTarget(l), false, {}});
+  for (std::size_t i = 0; i < scene.data().luminaires.size(); ++i)
+    if (scene.data().luminaires[i].flux > 0)
+      points.push_back({scene.luminaireAnchor(i), false, {}});
   for (std::uint32_t t = 0; t < scene.data().triangles.size(); ++t)
     if (photometric(scene.material(t).exitance, scene.bands()) > 0)
     {
       const Vec3 centre = (1.0 / 3) * (scene.corner(t, 0) + scene.corner(t, 1) + scene.corner(t, 2));
-      points.push_back({scene.anchor(centre, scene.normal(t)), true, scene.normal(t)});
+      points.push_back({scene.anchor(t, centre, scene.normal(t)), true, scene.normal(t)});
     }
   return thinned(std::move(points), mostEmitters);
 }
@@ -58,16 +58,15 @@ bool seesOne(const Scene& scene, const RayAnchor& from, const std::vector<Emitte
   });
 }
 
-bool hasLightInSight(const Scene& scene, const Vec3& p, const Vec3& n, const std::vector<Emitter>& emitters)
+bool hasLightInSight(const Scene& scene, const RayAnchor& here, const std::vector<Emitter>& emitters)
 {
-  const RayAnchor here = scene.anchor(p, n);
   if (seesOne(scene, here, emitters))
     return true;
-  const Frame frame(n);
+  const Frame frame(here.normal);
   for (int i = 0; i < rays; ++i)
   {
     const SurfacePoint y = scene.trace(here, probeDirection(frame, i));
-    if (y.valid && seesOne(scene, scene.anchor(y.position, y.normal), emitters))
+    if (y.valid && seesOne(scene, scene.anchor(y), emitters))
       return true;
   }
   return false;
@@ -94,8 +93,8 @@ std::vector<AuditLine> auditDarkReceivers(const Scene& scene, const Receivers& r
   std::vector<std::size_t> cutOff;
   for (const std::size_t r : some)
   {
-    const Vec3 p = scene.settle(receivers.points[r] - scene.origin(), receivers.normals[r]);
-    if (!hasLightInSight(scene, p, receivers.normals[r], shining))
+    const Vec3 p = receivers.points[r] - scene.origin();
+    if (!hasLightInSight(scene, placeReceiver(scene, p, receivers.normals[r]), shining))
       cutOff.push_back(r);
   }
   const std::string looked =

@@ -21,7 +21,8 @@ DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows)
                            4,
                            l.axis,
                            uniformBands(l.flux / area),
-                           l.isOpening() ? &l : nullptr});
+                           l.isOpening() ? &l : nullptr,
+                           scene.luminaireAnchor(i)});
     this->HasOpenings = this->HasOpenings || l.isOpening();
   }
   if (!withMeshes)
@@ -31,7 +32,12 @@ DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows)
     const Bands& exitance = scene.material(t).exitance;
     if (photometric(exitance, scene.bands()) > 0)
       this->Areas.push_back(
-          {{scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2), {}}, 3, scene.normal(t), exitance, nullptr});
+          {{scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2), {}},
+           3,
+           scene.normal(t),
+           exitance,
+           nullptr,
+           scene.anchor(t, scene.corner(t, 0), scene.normal(t))});
   }
 }
 
@@ -54,7 +60,8 @@ bool DirectLight::shinesAt(const Area& area, const Sensor& sensor) const
   // A sensor in the emitter's plane, to rounding, sees nothing of it.
   const double height = dot(sensor.position - area.corner[0], area.normal);
   const bool bothSides = area.opening && !area.opening->isOneSided();
-  return (bothSides ? std::abs(height) : height) > 1e-9 * this->Lit.size();
+  const double rounding = 1e-14 * (this->Lit.size() + maxAbs(this->Lit.origin()));
+  return (bothSides ? std::abs(height) : height) > rounding;
 }
 
 double DirectLight::formFactor(const Area& area, const Sensor& sensor) const
@@ -67,10 +74,10 @@ void DirectLight::look(const Sensor& sensor, View& view) const
   view.points = view.areas = {};
   view.cumulative.clear();
   double pointSum = 0;
-  for (const Luminaire& luminaire : this->Lit.data().luminaires)
+  for (std::size_t i = 0; i < this->Lit.data().luminaires.size(); ++i)
   {
-    const double e = this->pointIlluminance(luminaire, sensor);
-    if (e > 0 && !(this->Shadows && this->Lit.rays().occluded(sensor.anchor, this->Lit.shadowTarget(luminaire))))
+    const double e = this->pointIlluminance(this->Lit.data().luminaires[i], sensor);
+    if (e > 0 && !(this->Shadows && this->Lit.rays().occluded(sensor.anchor, this->Lit.luminaireAnchor(i))))
       pointSum += e;
   }
   view.points = uniformBands(pointSum);
@@ -83,6 +90,11 @@ void DirectLight::look(const Sensor& sensor, View& view) const
     sum += factor * photometric(area.exitance, this->Lit.bands());
     view.cumulative.push_back(sum);
   }
+}
+
+RayAnchor DirectLight::anchorOn(const Area& area, const Vec3& p, bool behind)
+{
+  return {p, behind ? -area.normal : area.normal, area.anchor.base, area.anchor.slope};
 }
 
 bool DirectLight::meets(const Area& area, const Vec3& origin, const Vec3& direction, double& distance)
@@ -102,11 +114,36 @@ bool DirectLight::meets(const Area& area, const Vec3& origin, const Vec3& direct
   return left == 0 || left == area.count;
 }
 
+// A rectangle is two triangles. From a point close above it, which sees nearly a hemisphere of it, these degenerate:
+// there it is a fan about the point's foot.
+DirectLight::Parts DirectLight::parts(const Area& area, const Vec3& from)
+{
+  constexpr double close = 1e-3;  // of the longest side
+  const Vec3* c = area.corner;
+  const double height = dot(from - c[0], area.normal);
+  const double longest = std::max(dot(c[1] - c[0], c[1] - c[0]), dot(c[2] - c[1], c[2] - c[1]));
+  Parts parts;
+  if (height * height > close * close * longest)
+  {
+    for (int i = 2; i < area.count; ++i)
+      parts.add({from, c[0], c[i - 1], c[i]});
+    return parts;
+  }
+  const Vec3 foot = nearestPoint(c, area.count, from);
+  for (int i = 0; i < area.count; ++i)
+  {
+    const Vec3 &a = c[i], &b = c[(i + 1) % area.count], n = cross(b - a, foot - a);
+    if (dot(n, n) > 1e-28 * longest * longest)  // the foot does not lie on this side
+      parts.add({from, foot, a, b});
+  }
+  return parts;
+}
+
 double DirectLight::solidAngle(const Area& area, const Vec3& from)
 {
   double sum = 0;
-  for (int i = 2; i < area.count; ++i)  // a rectangle is two triangles
-    sum += SphericalTriangle(from, area.corner[0], area.corner[i - 1], area.corner[i]).solidAngle();
+  for (const SphericalTriangle& part : parts(area, from))
+    sum += part.solidAngle();
   return sum;
 }
 
@@ -131,7 +168,7 @@ bool DirectLight::samplePoint(const Area& area, const Sensor& sensor, double u1,
   const double size = (area.count == 3 ? 0.5 : 1) * length(cross(u, v)), distance = std::sqrt(d2);
   sample.solidAngle = size * std::abs(facing) / (d2 * distance);
   sample.direction = (1 / distance) * d;
-  sample.target = this->Lit.anchor(point, behind ? -area.normal : area.normal);
+  sample.target = this->anchorOn(area, point, behind);
   return true;
 }
 
@@ -141,25 +178,22 @@ bool DirectLight::sampleArea(const Area& area, const Sensor& sensor, double u1, 
   const Vec3& r = sensor.position;
   if (!sensor.brdf && this->isAfar(area, r))
     return this->samplePoint(area, sensor, u2, u3, sample);
-  SphericalTriangle part(r, area.corner[0], area.corner[1], area.corner[2]);
-  sample.solidAngle = part.solidAngle();
-  if (area.count == 4)
-  {
-    const SphericalTriangle other(r, area.corner[0], area.corner[2], area.corner[3]);
-    const double first = sample.solidAngle;
-    sample.solidAngle += other.solidAngle();
-    if (u1 * sample.solidAngle >= first)
-      part = other;
-  }
-  if (!(part.solidAngle() > 0))
+  const Parts parts = DirectLight::parts(area, r);
+  sample.solidAngle = 0;
+  for (const SphericalTriangle& part : parts)
+    sample.solidAngle += part.solidAngle();
+  if (!(sample.solidAngle > 0))
     return false;
-  sample.direction = part.sample(u2, u3);
+  const SphericalTriangle* part = parts.begin();
+  for (double left = u1 * sample.solidAngle; left >= part->solidAngle() && part + 1 != parts.end(); ++part)
+    left -= part->solidAngle();
+  sample.direction = part->sample(u2, u3);
   const double cosine = dot(sample.direction, sensor.normal), facing = -dot(sample.direction, area.normal);
   const bool behind = area.opening && !area.opening->isOneSided() && facing < 0;
   if (!(cosine > 0) || !(facing > 0 || behind))
     return false;
   const double distance = dot(area.corner[0] - r, area.normal) / -facing;
-  sample.target = this->Lit.anchor(r + distance * sample.direction, behind ? -area.normal : area.normal);
+  sample.target = this->anchorOn(area, r + distance * sample.direction, behind);
   return true;
 }
 
@@ -251,7 +285,7 @@ bool DirectLight::aim(const Sensor& sensor, SampleStream& random, AreaSample& sa
     const double e = this->pointIlluminance(luminaires[k], sensor);
     if (!(e > 0))
       return false;
-    sample.target = this->Lit.shadowTarget(luminaires[k]);
+    sample.target = this->Lit.luminaireAnchor(k);
     sample.direction = normalized(luminaires[k].position - sensor.position);
     arriving = uniformBands(e / share);
     return true;
@@ -307,8 +341,7 @@ void DirectLight::sample(const Sensor* sensors, int count, SampleStream& random,
       light[i] = {};
       continue;
     }
-    const Vec3& from = sensors[i].anchor.lifted;
-    packet.set(rays, from, sample.target.lifted - from);
+    packet.set(rays, sensors[i].anchor, sample.target);
     lit[rays++] = i;
   }
   if (!this->Shadows || rays == 0)
@@ -334,9 +367,9 @@ void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const L
     double distance;
     if (!(share > 0) || !this->shinesAt(area, sensor) || !meets(area, sensor.position, ray.direction, distance))
       continue;
-    const Vec3 side = dot(ray.direction, area.normal) < 0 ? area.normal : -area.normal;
-    if (this->Shadows &&
-        this->Lit.rays().occluded(sensor.anchor, this->Lit.anchor(sensor.position + distance * ray.direction, side)))
+    const bool behind = dot(ray.direction, area.normal) >= 0;
+    const Vec3 met = sensor.position + distance * ray.direction;
+    if (this->Shadows && this->Lit.rays().occluded(sensor.anchor, this->anchorOn(area, met, behind)))
       continue;
     const double density = share / solidAngle(area, sensor.position) + ray.density;
     const Bands exitance = this->exitanceTowards(area, ray.direction);

@@ -3,9 +3,11 @@
 #ifndef kalos_estimator_DirectLight_h
 #define kalos_estimator_DirectLight_h
 
+#include <array>
 #include <vector>
 
 #include "estimator/LuminaireChoice.h"
+#include "geometry/Polygon.h"
 #include "sampling/SampleStream.h"
 
 namespace kalos
@@ -76,6 +78,7 @@ private:
     Vec3 normal;                         // light leaves on this side
     Bands exitance;                      // lm/m2
     const Luminaire* opening = nullptr;  // of a measured distribution; null: Lambertian
+    RayAnchor anchor;                    // of one of its points
   };
 
   double pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const;  // unshadowed, lx; 0 for areas
@@ -92,7 +95,19 @@ private:
     double solidAngle;  // sr, of the emitter; or what stands for it, one over the direction's density
   };
   Bands exitanceTowards(const Area& area, const Vec3& fromSensor) const;  // pi times the luminance, lm/m2
-  static double solidAngle(const Area& area, const Vec3& from);           // sr
+  // Triangles whose solid angles, seen from a point, make up an area's.
+  struct Parts
+  {
+    std::array<SphericalTriangle, 4> triangle;
+    int count = 0;
+
+    void add(const SphericalTriangle& t) { this->triangle[static_cast<std::size_t>(this->count++)] = t; }
+    const SphericalTriangle* begin() const { return this->triangle.data(); }
+    const SphericalTriangle* end() const { return this->triangle.data() + this->count; }
+  };
+  static Parts parts(const Area& area, const Vec3& from);
+  static double solidAngle(const Area& area, const Vec3& from);  // sr
+  static RayAnchor anchorOn(const Area& area, const Vec3& p, bool behind);
   static bool meets(const Area& area, const Vec3& origin, const Vec3& direction, double& distance);  // on a lit side
   // What sample() finds at the sensor if nothing hides it: false when that is nothing. A lobe's sample goes to `lobe`.
   bool aim(const Sensor& sensor, SampleStream& random, AreaSample& sample, Bands& arriving, Bands& lobe) const;

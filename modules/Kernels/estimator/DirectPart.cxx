@@ -50,7 +50,7 @@ DirectPart::DirectPart(const Scene& scene, const Receivers& receivers, const Set
   for (std::size_t i = 0; i < receivers.points.size(); ++i)
   {
     const Vec3& n = receivers.normals[i];
-    Sensor sensor(scene, scene.settle(receivers.points[i] - scene.origin(), n), n);
+    Sensor sensor(placeReceiver(scene, receivers.points[i] - scene.origin(), n));
     if (i < receivers.brdfs.size() && receivers.brdfs[i])
     {
       sensor.brdf = receivers.brdfs[i];

@@ -29,29 +29,26 @@ EmissionSample Emission::sample(SampleStream& random) const
   // What the choice leaves over is uniform again: emitter, point and direction are one block of numbers.
   const double before = i ? this->Cumulative[i - 1] : 0;
   const double u = std::min((target - before) / (this->Cumulative[i] - before), 0x1.fffffffffffffp-1);
-  const auto& luminaires = this->Lit.data().luminaires;
-  return i < luminaires.size() ? this->fromLuminaire(luminaires[i], u, random)
-                               : this->fromTriangle(this->Triangles[i - luminaires.size()], u, random);
+  const std::size_t luminaires = this->Lit.data().luminaires.size();
+  return i < luminaires ? this->fromLuminaire(i, u, random)
+                        : this->fromTriangle(this->Triangles[i - luminaires], u, random);
 }
 
-EmissionSample Emission::fromLuminaire(const Luminaire& luminaire, double u, SampleStream& random) const
+EmissionSample Emission::fromLuminaire(std::size_t i, double u, SampleStream& random) const
 {
+  const Luminaire& luminaire = this->Lit.data().luminaires[i];
   EmissionSample start;
   start.fromPoint = luminaire.isPoint();
-  start.position = luminaire.position;
-  start.normal = luminaire.axis;
+  start.anchor = this->Lit.luminaireAnchor(i);  // a lamp mounted flush with a ceiling shines into the room
   start.weight = uniformBands(this->TotalFlux);
   double u1 = u;
   if (!luminaire.isPoint())
   {
-    start.position += (u - 0.5) * luminaire.sideU + (random.next() - 0.5) * luminaire.sideV;
+    start.anchor.point += (u - 0.5) * luminaire.sideU + (random.next() - 0.5) * luminaire.sideV;
     u1 = random.next();
   }
   const double u2 = random.next();
   start.direction = sampleDirection(luminaire, u1, u2);
-  // A lamp mounted flush with a ceiling shines into the room.
-  if (luminaire.isOneSided())
-    start.position = this->Lit.offset(start.position, luminaire.axis);
   return start;
 }
 
@@ -63,10 +60,10 @@ EmissionSample Emission::fromTriangle(std::uint32_t t, double u, SampleStream& r
   EmissionSample start;
   start.onSurface = true;
   start.triangle = t;
-  start.normal = this->Lit.normal(t);
-  start.position = a + b1 * (this->Lit.corner(t, 1) - a) + b2 * (this->Lit.corner(t, 2) - a);
+  const Vec3& n = this->Lit.normal(t);
+  start.anchor = this->Lit.anchor(t, a + b1 * (this->Lit.corner(t, 1) - a) + b2 * (this->Lit.corner(t, 2) - a), n);
   const double v1 = random.next(), v2 = random.next();
-  start.direction = Frame(start.normal).toWorld(cosineHemisphere(v1, v2));
+  start.direction = Frame(n).toWorld(cosineHemisphere(v1, v2));
   const Bands& exitance = this->Lit.material(t).exitance;
   start.density = photometric(exitance, this->Lit.bands()) / this->TotalFlux;
   const double scale = 1 / start.density;

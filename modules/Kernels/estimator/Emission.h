@@ -12,8 +12,8 @@ namespace kalos
 {
 struct EmissionSample
 {
-  Vec3 position, direction;
-  Vec3 normal;                 ///< of the emitting surface; meaningless for a point
+  RayAnchor anchor;  ///< where the trajectory starts
+  Vec3 direction;
   bool fromPoint = false;      ///< from a point luminaire
   bool onSurface = false;      ///< from a mesh (else from a luminaire, which has no body)
   std::uint32_t triangle = 0;  ///< of the mesh, when onSurface
@@ -33,7 +33,7 @@ public:
 
 private:
   // u: uniform in [0,1), left over from the choice of the emitter.
-  EmissionSample fromLuminaire(const Luminaire& luminaire, double u, SampleStream& random) const;
+  EmissionSample fromLuminaire(std::size_t luminaire, double u, SampleStream& random) const;
   EmissionSample fromTriangle(std::uint32_t triangle, double u, SampleStream& random) const;
 
   const Scene& Lit;

@@ -13,6 +13,7 @@ namespace
 {
 constexpr double leastLeak = 2e-5, largestLeak = 1e-3;
 constexpr double enoughStarts = 32, manyStarts = 1024;
+constexpr double fewestUnseen = 8, leastUnseen = 5e-3;
 
 std::string percent(double share, int digits = 3)
 {
@@ -74,6 +75,11 @@ std::vector<AuditLine> EnergyBalance::audit() const
   {
     if (all.lastSeen(s) > all.lastSeen(worst))
       worst = s;
+    if (all.unseen(s) >= fewestUnseen && all.unseen(s) > leastUnseen * all.checked(s))
+      warn(this->Lit.surfaceName(s) + " does not deliver all of its light",
+           percent(all.unseen(s) / all.checked(s)) + " of " + std::to_string(std::llround(all.checked(s))) +
+               " vertices checked there do not see what their own trajectory went on to hit; expected none: values that "
+               "it lights are too low");
     if (all.starts(s) < enoughStarts)
       continue;
     if (all.lost(s) == all.starts(s))

@@ -24,12 +24,14 @@ public:
   double& lost(std::size_t surface) { return this->Values[fixed + each * surface + 1]; }      ///< of them, at once
   double& trapped(std::size_t surface) { return this->Values[fixed + each * surface + 2]; }   ///< of them, on itself
   double& lastSeen(std::size_t surface) { return this->Values[fixed + each * surface + 3]; }  ///< before an escape
+  double& checked(std::size_t surface) { return this->Values[fixed + each * surface + 4]; }   ///< segments from there
+  double& unseen(std::size_t surface) { return this->Values[fixed + each * surface + 5]; }    ///< of them, see below
 
   void add(const EnergySums& other);
   std::vector<double>& values() { return this->Values; }
 
 private:
-  static constexpr std::size_t fixed = 4, each = 4;
+  static constexpr std::size_t fixed = 4, each = 6;
   std::vector<double> Values;
 };
 
@@ -49,6 +51,8 @@ public:
   ///   meant) leaves the scene; the surface is the one that most of it was last seen at.
   /// - wrong side: all of 32 or more starts on the surface leave the scene at once, or all of 1024 or more meet first
   ///   the surface itself, and there are others.
+  /// - unseen: 8 or more of the vertices on a surface, and more than 1 in 200 of those checked, do not see what their
+  ///   own trajectories went on to hit (see VisibilityCheck): local estimation loses their light.
   /// - imbalance: absorbed and escaped differ from emitted by more than 6 standard errors (false alarm below 1e-6).
   ///
   /// No lines where no trajectories were traced.

@@ -120,7 +120,7 @@ bool GatherWave::advance(std::size_t i, const SurfacePoint& y)
   Chain& chain = this->Chains[i];
   const Look& look = chain.look;
   if (look.mirror)
-    this->Rays.luminaires().addSeen(chain.at.anchor.lifted, look.direction, y, chain.throughput, this->found(i));
+    this->Rays.luminaires().addSeen(chain.at.anchor.lifted(), look.direction, y, chain.throughput, this->found(i));
   if (!y.valid)
     return false;
   const Vec3 d = y.position - chain.at.position;
@@ -128,11 +128,11 @@ bool GatherWave::advance(std::size_t i, const SurfacePoint& y)
   const bool whole = look.mirror || std::isinf(chain.share);                      // no vertex scores there
   const double kernel = look.density * -dot(look.direction, y.normal) / squared;  // G, for a Lambertian sensor
   const double ratio =
-      whole ? std::numeric_limits<double>::infinity() : kernel * chain.share / this->Rays.pilot().density(y.position);
+      whole ? std::numeric_limits<double>::infinity() : kernel * chain.share / this->Rays.pilot().density(y.position, y.normal);
   this->addEmission(i, y, kernel, whole);
 
   // Become the sensor there: its illuminance, or its response towards here.
-  Sensor next(scene, y.position, y.normal);
+  Sensor next(scene.anchor(y));
   const Brdf& brdf = scene.brdf(y.triangle);
   if (brdf.isLambertian())
     for (int b = 0; b < scene.bands(); ++b)
@@ -145,6 +145,7 @@ bool GatherWave::advance(std::size_t i, const SurfacePoint& y)
   }
   if (!(photometric(chain.throughput, scene.bands()) > 0) || (!chain.first && !this->survives(chain)))
     return false;
+  next.anchor.crowded = crowds(chain.at.anchor, squared);
   chain.alone = !isFarFrom(next.anchor, squared);
   chain.at = next;
   this->addLuminaires(i);

@@ -12,9 +12,15 @@ namespace
 {
 constexpr int width = SegmentPacket::width;
 
-constexpr GatherWave::Start wholeLight(bool seesEmission)
+constexpr GatherWave::Start wholeLight(bool seesEmission, bool alone)
 {
-  return {std::numeric_limits<double>::infinity(), seesEmission};
+  return {std::numeric_limits<double>::infinity(), seesEmission, alone};
+}
+
+// What others find does not serve it.
+bool looksByItself(const Sensor& sensor)
+{
+  return sensor.brdf || sensor.anchor.crowded;
 }
 }  // namespace
 
@@ -32,7 +38,7 @@ std::vector<ReceiverGroup> GatheredEstimation::groups(std::size_t tile, const Ta
   for (std::size_t i = tile * tileSize; i < std::min(sensors.size(), (tile + 1) * tileSize); ++i)
   {
     const std::size_t r = this->Order[i];
-    if (tally.rests(r) || sensors[r].brdf)
+    if (tally.rests(r) || looksByItself(sensors[r]))
       continue;
     if (found.empty() || found.back().size() == this->groupSize())
       found.emplace_back();
@@ -64,11 +70,11 @@ void GatheredEstimation::look(std::size_t tile, int replicate, const Replicate& 
   for (std::size_t i = tile * tileSize; i < std::min(sensors.size(), (tile + 1) * tileSize); ++i)
   {
     const std::size_t r = this->Order[i];
-    if (tally.rests(r) || !sensors[r].brdf)
+    if (tally.rests(r) || !looksByItself(sensors[r]))
       continue;
     const Walks walks = this->Wanted.walks().ofReceiver(r);
     for (long long k = first; k < first + count; ++k)
-      unshared.gather(r, count, sensors[r], wholeLight(!this->Direct.exactMeshes(r)),
+      unshared.gather(r, count, sensors[r], wholeLight(!this->Direct.exactMeshes(r), sensors[r].anchor.crowded),
                       walks.stream(replicate, Purpose::Gather, k));
   }
   for (const ReceiverGroup& group : this->groups(tile, tally))
@@ -78,7 +84,7 @@ void GatheredEstimation::look(std::size_t tile, int replicate, const Replicate& 
     for (int k = 0; k < group.size(); ++k)
     {
       const Sensor& sensor = sensors[group.receiver(k)];
-      starts.emplace_back(sensor.anchor.lifted, sensor.normal, own);
+      starts.emplace_back(sensor.anchor.lifted(), sensor.normal, own);
     }
     const int each = this->raysOfEach(group, rays);
     for (int begin = 0; begin < pattern.size(); begin += width)
@@ -132,7 +138,8 @@ void GatheredEstimation::see(Sight& sight, const ReceiverGroup& group, int repli
     const Vec3 direction{d[0], d[1], d[2]};
     const Walks walks{this->Wanted.seed, Sampling::Independent};
     unshared.follow(
-        r, each, sensor, direction, this->Lit.trace(sensor.anchor, direction), wholeLight(!this->Direct.exactMeshes(r)),
+        r, each, sensor, direction, this->Lit.trace(sensor.anchor, direction),
+        wholeLight(!this->Direct.exactMeshes(r), false),
         walks.ofReceiver(r).stream(replicate, Purpose::Gather, this->RaysDone * this->groupSize() + sight.ray[i]));
   }
   sight.count = 0;
@@ -144,7 +151,7 @@ Sensor GatheredEstimation::at(const SurfaceHit& hit) const
   const Vec3 n = hit.side & 1 ? this->Lit.normal(triangle) : -this->Lit.normal(triangle);
   Vec3 p{hit.position[0], hit.position[1], hit.position[2]};
   p += dot(this->Lit.corner(triangle, 0) - p, n) * n;  // into the plane, to double precision
-  return Sensor(this->Lit, p, n);
+  return Sensor(this->Lit.anchor(triangle, p, n));
 }
 
 void GatheredEstimation::estimate(const SurfaceHit& hit, int replicate, GatherWave& wave) const

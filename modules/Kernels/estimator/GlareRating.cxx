@@ -29,8 +29,9 @@ public:
   {
   }
 
-  void add(const Luminaire& l)
+  void add(std::size_t i)
   {
+    const Luminaire& l = this->World.data().luminaires[i];
     const Vec3 from = this->Eye - l.position;
     const double d2 = dot(from, from);
     const Vec3 out = normalized(from);  // from the luminaire to the eye
@@ -38,7 +39,7 @@ public:
     const double candela = d2 > 0 ? intensity(l, out) : 0;
     if (!(candela > 0) || !std::isfinite(index))
       return;
-    const double seen = this->visibleShare(l);
+    const double seen = this->visibleShare(i);
     const double area = length(cross(l.sideU, l.sideV)) * std::abs(dot(l.axis, out));
     const bool isSmall = area < smallArea;
     // L^2 omega = (I/A)^2 A/d^2
@@ -53,7 +54,7 @@ public:
       return;
     const double luminance = photometric(this->World.material(t).exitance, this->World.bands()) / pi;
     double weighted = 0, angle = 0;  // sum of omega / p^2 and of omega over the pieces that are seen
-    this->cut(corners, n, 0, weighted, angle);
+    this->cut(t, corners, 0, weighted, angle);
     this->count(luminance * luminance * weighted, angle, false);
   }
 
@@ -70,22 +71,23 @@ private:
     this->Sum.large += angle > largeAngle;
   }
 
-  double visibleShare(const Luminaire& l) const
+  double visibleShare(std::size_t luminaire) const
   {
+    const Luminaire& l = this->World.data().luminaires[luminaire];
+    RayAnchor target = this->World.luminaireAnchor(luminaire);
     if (l.isPoint())
-      return this->World.rays().occluded(this->Eye, this->World.shadowTarget(l)) ? 0 : 1;
-    const Vec3 target = this->World.shadowTarget(l).lifted;
+      return this->World.rays().occluded(this->Eye, target) ? 0 : 1;
     int visible = 0;
     for (int i = 0; i < parts; ++i)
       for (int j = 0; j < parts; ++j)
       {
-        const Vec3 p = target + ((i + 0.5) / parts - 0.5) * l.sideU + ((j + 0.5) / parts - 0.5) * l.sideV;
-        visible += !this->World.rays().occluded(this->Eye, p);
+        target.point = l.position + ((i + 0.5) / parts - 0.5) * l.sideU + ((j + 0.5) / parts - 0.5) * l.sideV;
+        visible += !this->World.rays().occluded(this->Eye, target);
       }
     return static_cast<double>(visible) / (parts * parts);
   }
 
-  void cut(const Vec3 c[3], const Vec3& n, int depth, double& weighted, double& angle) const
+  void cut(std::uint32_t t, const Vec3 c[3], int depth, double& weighted, double& angle) const
   {
     const Vec3 middle = (1.0 / 3) * (c[0] + c[1] + c[2]);
     const double distance = length(middle - this->Eye);
@@ -95,11 +97,12 @@ private:
       const Vec3 m[3] = {0.5 * (c[1] + c[2]), 0.5 * (c[2] + c[0]), 0.5 * (c[0] + c[1])};
       const Vec3 pieces[4][3] = {{c[0], m[2], m[1]}, {m[2], c[1], m[0]}, {m[1], m[0], c[2]}, {m[0], m[1], m[2]}};
       for (const auto& piece : pieces)
-        this->cut(piece, n, depth + 1, weighted, angle);
+        this->cut(t, piece, depth + 1, weighted, angle);
       return;
     }
     const double index = positionIndex(this->Who, normalized(middle - this->Eye));
-    if (!std::isfinite(index) || this->World.rays().occluded(this->Eye, this->World.offset(middle, n)))
+    const RayAnchor target = this->World.anchor(t, middle, this->World.normal(t));
+    if (!std::isfinite(index) || this->World.rays().occluded(this->Eye, target))
       return;
     const double omega = SphericalTriangle(this->Eye, c[0], c[1], c[2]).solidAngle();
     weighted += omega / (index * index);
@@ -136,8 +139,8 @@ double positionIndex(const Observer& observer, const Vec3& to)
 GlareSum glareSum(const Scene& scene, const Observer& observer)
 {
   View view(scene, observer);
-  for (const Luminaire& l : scene.data().luminaires)
-    view.add(l);
+  for (std::size_t i = 0; i < scene.data().luminaires.size(); ++i)
+    view.add(i);
   for (std::uint32_t t = 0; t < scene.data().triangles.size(); ++t)
     if (photometric(scene.material(t).exitance, scene.bands()) > 0)
       view.addTriangle(t);

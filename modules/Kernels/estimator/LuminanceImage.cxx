@@ -118,10 +118,10 @@ private:
         return;
       weight *= material.mirror;
       direction = reflected(-direction, y.normal);
-      const RayAnchor from = this->Lit.anchor(y.position, y.normal);
+      const RayAnchor from = this->Lit.anchor(y);
       y = this->Lit.trace(from, direction);
       Bands seen{};
-      this->Luminaires.addSeen(from.lifted, direction, y, uniformBands(weight / pi), seen.data());
+      this->Luminaires.addSeen(from.lifted(), direction, y, uniformBands(weight / pi), seen.data());
       for (int b = 0; b < bands; ++b)
         this->Emitted.luminanceBands[pixel * bands + b] += seen[b];
     }

@@ -79,12 +79,12 @@ bool MirrorImages::covers(std::uint32_t t, const Vec3& p) const
   return true;
 }
 
-double MirrorImages::reflectanceAt(const Plane& plane, const Vec3& p) const
+const std::uint32_t* MirrorImages::triangleAt(const Plane& plane, const Vec3& p) const
 {
-  for (const std::uint32_t t : plane.triangles)
+  for (const std::uint32_t& t : plane.triangles)
     if (this->covers(t, p))
-      return this->Lit.material(t).mirror;
-  return 0;
+      return &t;
+  return nullptr;
 }
 
 double MirrorImages::follow(const Image& image, const Sensor& sensor) const
@@ -100,17 +100,18 @@ double MirrorImages::follow(const Image& image, const Sensor& sensor) const
     if (!(height * depth < 0))
       return 0;
     const Vec3 q = from + (height / (height - depth)) * (i->position - from);
-    weight *= this->reflectanceAt(plane, q);
-    if (!(weight > 0))
+    const std::uint32_t* triangle = this->triangleAt(plane, q);
+    if (!triangle)
       return 0;
-    ends.push_back(this->Lit.anchor(q, height > 0 ? plane.normal : -plane.normal));
+    weight *= this->Lit.material(*triangle).mirror;
+    ends.push_back(this->Lit.anchor(*triangle, q, height > 0 ? plane.normal : -plane.normal));
     from = q;
     if (i->parent < 0)
       break;
   }
   const Luminaire& luminaire = this->Lit.data().luminaires[image.luminaire];
   weight *= intensity(luminaire, normalized(from - luminaire.position));
-  ends.push_back(this->Lit.shadowTarget(luminaire));
+  ends.push_back(this->Lit.luminaireAnchor(image.luminaire));
   for (std::size_t k = 0; weight > 0 && k + 1 < ends.size(); ++k)
     if (this->Lit.rays().occluded(ends[k], ends[k + 1]))
       return 0;

@@ -48,7 +48,7 @@ private:
   };
   void findPlanes();
   void addImage(std::size_t luminaire, std::size_t plane, int parent);
-  double reflectanceAt(const Plane& plane, const Vec3& p) const;  // 0 beside the mirror
+  const std::uint32_t* triangleAt(const Plane& plane, const Vec3& p) const;  // null: p is beside the mirror
   bool covers(std::uint32_t triangle, const Vec3& p) const;
   double follow(const Image& image, const Sensor& sensor) const;  // m1 m2 .. I V
 

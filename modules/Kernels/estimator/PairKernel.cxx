@@ -8,11 +8,17 @@ namespace
 struct FloatVector
 {
   float x, y, z;
+  FloatVector(float vx, float vy, float vz) : x(vx), y(vy), z(vz) {}
   explicit FloatVector(const Vec3& v)
       : x(static_cast<float>(v.x)), y(static_cast<float>(v.y)), z(static_cast<float>(v.z))
   {
   }
 };
+
+float absDot(const FloatVector& a, const FloatVector& b)
+{
+  return std::abs(a.x * b.x) + std::abs(a.y * b.y) + std::abs(a.z * b.z);
+}
 
 // The general case, one pair at a time: a glossy vertex, a glossy sensor or both.
 void formGlossyPairs(const VertexSet& v, std::size_t begin, int count, const Sensor& sensor, double share,
@@ -91,16 +97,20 @@ void formNearPairs(const VertexSet& v, std::size_t begin, int count, const Senso
 
 void fillPacket(const VertexSet& v, const Sensor& sensor, const int* indices, int count, SegmentPacket& packet)
 {
-  const FloatVector o(sensor.anchor.lifted);
+  // As SegmentPacket::set() between two anchors, in single precision.
+  const FloatVector p(sensor.anchor.point), n(sensor.anchor.normal);
+  const float lift = static_cast<float>(sensor.anchor.base), slope = static_cast<float>(sensor.anchor.slope);
   for (int i = 0; i < SegmentPacket::width; ++i)
   {
     const int j = indices[std::min(i, count - 1)];
-    packet.ox[i] = o.x;
-    packet.oy[i] = o.y;
-    packet.oz[i] = o.z;
-    packet.dx[i] = v.px[j] + v.offset[j] * v.nx[j] - o.x;
-    packet.dy[i] = v.py[j] + v.offset[j] * v.ny[j] - o.y;
-    packet.dz[i] = v.pz[j] + v.offset[j] * v.nz[j] - o.z;
+    const FloatVector q{v.px[j], v.py[j], v.pz[j]}, m{v.nx[j], v.ny[j], v.nz[j]};
+    const float here = lift + slope * absDot(n, q), there = v.lift[j] + v.slope[j] * absDot(m, p);
+    packet.ox[i] = p.x + here * n.x;
+    packet.oy[i] = p.y + here * n.y;
+    packet.oz[i] = p.z + here * n.z;
+    packet.dx[i] = q.x + there * m.x - packet.ox[i];
+    packet.dy[i] = q.y + there * m.y - packet.oy[i];
+    packet.dz[i] = q.z + there * m.z - packet.oz[i];
   }
 }
 
@@ -108,11 +118,19 @@ void keepVisible(const RayScene& rays, const VertexSet& v, const Sensor& sensor,
 {
   SegmentPacket packet;
   int kept = 0;
+  auto isHidden = [&](int i) { return rays.occluded(sensor.anchor, v.anchor(static_cast<std::size_t>(block.index[i]))); };
   for (int first = 0; first < block.count; first += SegmentPacket::width)
   {
     const int count = std::min(SegmentPacket::width, block.count - first);
-    fillPacket(v, sensor, block.index + first, count, packet);
-    const std::uint32_t hidden = rays.occluded(packet, count);
+    std::uint32_t hidden = 0;
+    if (sensor.anchor.crowded)
+      for (int i = 0; i < count; ++i)
+        hidden |= (isHidden(first + i) ? 1u : 0u) << i;
+    else
+    {
+      fillPacket(v, sensor, block.index + first, count, packet);
+      hidden = rays.occluded(packet, count);
+    }
     for (int i = 0; i < count; ++i)
     {
       block.index[kept] = block.index[first + i];

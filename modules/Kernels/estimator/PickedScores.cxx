@@ -64,11 +64,16 @@ Picks pickSystematically(const TileScores& scores, double total, const ShadowPic
 std::uint64_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sensor& sensor, const int* indices,
                              int count)
 {
-  if (count == 1)
-  {
-    return rays.occluded(sensor.anchor, v.shadowTarget(static_cast<std::size_t>(indices[0])));
-  }
   std::uint64_t hidden = 0;
+  if (count == 1 || sensor.anchor.crowded)
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      const bool isHidden = rays.occluded(sensor.anchor, v.anchor(static_cast<std::size_t>(indices[k])));
+      hidden |= static_cast<std::uint64_t>(isHidden) << k;
+    }
+    return hidden;
+  }
   SegmentPacket packet;
   for (int first = 0; first < count; first += SegmentPacket::width)
   {
@@ -171,7 +176,7 @@ bool pickPair(const VertexSet& v, const PairBlock& block, double u, PickedScore&
   if (!pickOne(scores, u, i, total))
     return !std::isfinite(total) && noScore(v, pick);
   const auto j = static_cast<std::size_t>(block.index[i]);
-  pick.target = v.shadowTarget(j);
+  pick.target = v.anchor(j);
   const double weight = total / static_cast<double>(luminous[i]) * static_cast<double>(block.kernel[i]);
   for (std::size_t b = 0; b < v.flux.size(); ++b)
     pick.light[b] = weight * static_cast<double>(v.flux[b][j]) * block.factor[i][b];
@@ -249,7 +254,7 @@ bool pickScore(const VertexSet& v, std::size_t begin, int count, const Sensor& s
   if (!pickOne(scores, u, i, total))
     return !std::isfinite(total) && noScore(v, pick);
   const std::size_t j = begin + static_cast<std::size_t>(i);
-  pick.target = v.shadowTarget(j);
+  pick.target = v.anchor(j);
   for (std::size_t b = 0; b < v.flux.size(); ++b)
     pick.light[b] = total / static_cast<double>(v.luminous[j]) * static_cast<double>(v.flux[b][j]);
   return true;

@@ -6,23 +6,37 @@ namespace kalos
 namespace
 {
 constexpr int trajectories = 1024;
-constexpr std::size_t enough = 16;  // vertices for a density good to a quarter
-constexpr int deepest = 16;
+constexpr int enough = 16;  // vertices in a leaf at least, if there are so many: its density is good to a quarter
+constexpr int directions = 6;
 
-int octant(const Vec3& p, const Vec3& centre)
+double along(const Vec3& p, int axis)
 {
-  return (p.x > centre.x ? 1 : 0) + (p.y > centre.y ? 2 : 0) + (p.z > centre.z ? 4 : 0);
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-Vec3 childCentre(const Vec3& centre, double half, int i)
+// 0 .. 5: the axis that n is nearest to, and its sign. In single precision, as vertices hold their normals: who weighs
+// a vertex and who weighs a ray to its place must agree, also where two axes are equally near.
+int direction(const Vec3& normal)
 {
-  const double step = half / 2;
-  return centre + Vec3{i & 1 ? step : -step, i & 2 ? step : -step, i & 4 ? step : -step};
+  auto rounded = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  const Vec3 n{rounded(normal.x), rounded(normal.y), rounded(normal.z)};
+  const int axis = mainAxis(n);
+  return 2 * axis + (along(n, axis) > 0 ? 1 : 0);
+}
+
+Vec3 lower(const Vec3& a, const Vec3& b)
+{
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+
+Vec3 upper(const Vec3& a, const Vec3& b)
+{
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 }  // namespace
 
 Pilot::Pilot(const Scene& scene, const Emission& emission, const Walks& walks)
-    : Lit(scene), Flux(emission.totalFlux()), Nodes(1)
+    : Lit(scene), Flux(emission.totalFlux()), Nodes(directions)
 {
   std::vector<Collision> points;
   if (this->Flux > 0)
@@ -34,68 +48,65 @@ Pilot::Pilot(const Scene& scene, const Emission& emission, const Walks& walks)
     this->Starts = static_cast<double>(pool.emitted.size()) / trajectories;
   }
   this->Collisions = static_cast<double>(std::max<std::size_t>(1, points.size())) / trajectories;
-  const double half = 0.5 * scene.size() + 1e-9;
-  this->Nodes[0].density = densityIn(2 * half, points);
-  this->split(0, {}, half, points, 0);
+  std::vector<Collision> facing[directions];
+  for (const Collision& c : points)
+    facing[direction(c.normal)].push_back(c);
+  for (std::size_t d = 0; d < directions; ++d)
+    this->split(d, facing[d].begin(), facing[d].end());
 
   std::vector<double> densities;
   densities.reserve(points.size() + 1);
   for (const Collision& c : points)
-    densities.push_back(this->density(c.position));
+    densities.push_back(this->density(c.position, c.normal));
   if (densities.empty())
-    densities.push_back(this->density({}));
+    densities.push_back(this->density({}, {0, 0, 1}));
   const auto middle = densities.begin() + static_cast<std::ptrdiff_t>(densities.size() / 2);
   std::nth_element(densities.begin(), middle, densities.end());
   this->Typical = *middle;
 }
 
-double Pilot::densityIn(double side, const std::vector<Collision>& inside)
+void Pilot::split(std::size_t node, Iterator begin, Iterator end)
 {
-  // Surfaces of different orientation, by the main direction of their normals; each has about the area of a face.
-  std::size_t facing[6] = {};
-  for (const Collision& c : inside)
-  {
-    const Vec3& n = c.normal;
-    const int axis = std::abs(n.x) > std::abs(n.y) ? (std::abs(n.x) > std::abs(n.z) ? 0 : 2)
-                                                   : (std::abs(n.y) > std::abs(n.z) ? 1 : 2);
-    const double along = axis == 0 ? n.x : axis == 1 ? n.y : n.z;
-    ++facing[2 * axis + (along > 0)];
-  }
-  const auto surfaces = std::count_if(facing, facing + 6, [&](std::size_t f) { return 10 * f > inside.size(); });
-  return std::max(0.5, static_cast<double>(inside.size())) /
-         (std::max(1.0, static_cast<double>(surfaces)) * side * side) / trajectories;
-}
-
-void Pilot::split(int node, const Vec3& centre, double half, const std::vector<Collision>& inside, int depth)
-{
-  if (inside.size() < 2 * enough || depth == deepest)
+  Node& here = this->Nodes[node];
+  here.count = static_cast<int>(end - begin);
+  if (begin == end)
     return;
-  const int first = static_cast<int>(this->Nodes.size());
-  this->Nodes[node].children = first;
-  this->Nodes.resize(this->Nodes.size() + 8);
-  std::vector<Collision> parts[8];
-  for (const Collision& c : inside)
-    parts[octant(c.position, centre)].push_back(c);
-  for (int i = 0; i < 8; ++i)
+  here.low = here.high = begin->position;
+  for (Iterator c = begin; c != end; ++c)
   {
-    this->Nodes[first + i].density = parts[i].size() >= enough ? densityIn(half, parts[i]) : this->Nodes[node].density;
-    this->split(first + i, childCentre(centre, half, i), half / 2, parts[i], depth + 1);
+    here.low = lower(here.low, c->position);
+    here.high = upper(here.high, c->position);
   }
+  const int axis = mainAxis(here.high - here.low);
+  const Iterator middle = begin + here.count / 2;
+  if (here.count < 2 * enough || !(along(here.high - here.low, axis) > 0))
+    return;
+  std::nth_element(begin, middle, end, [axis](const Collision& a, const Collision& b) {
+    return along(a.position, axis) < along(b.position, axis);
+  });
+  const std::size_t children = this->Nodes.size();
+  here.axis = axis;
+  here.split = along(middle->position, axis);
+  here.children = static_cast<int>(children);
+  this->Nodes.resize(children + 2);  // moves `here`
+  this->split(children, begin, middle);
+  this->split(children + 1, middle, end);
 }
 
-double Pilot::density(const Vec3& p) const
+double Pilot::density(const Vec3& p, const Vec3& n) const
 {
-  Vec3 centre;
-  double half = 0.5 * this->Lit.size() + 1e-9;
-  int node = 0;
-  while (this->Nodes[node].children >= 0)
-  {
-    const int i = octant(p, centre);
-    node = this->Nodes[node].children + i;
-    centre = childCentre(centre, half, i);
-    half /= 2;
-  }
-  return this->Nodes[node].density;
+  const int facing = direction(n), across = facing / 2;
+  const Node* node = &this->Nodes[static_cast<std::size_t>(facing)];
+  while (node->axis >= 0)
+    node = &this->Nodes[static_cast<std::size_t>(node->children + (along(p, node->axis) < node->split ? 0 : 1))];
+  const double count = std::max(0.5, static_cast<double>(node->count));
+  // n uniform points span (n - 1) / (n + 1) of each side of their rectangle.
+  const double least = 1e-6 * this->Lit.size(), inflation = (count + 1) / std::max(1.0, count - 1);
+  const bool isEmpty = node->count == 0;
+  const Vec3 size = isEmpty ? Vec3{this->Lit.size(), this->Lit.size(), this->Lit.size()}
+                            : inflation * (upper(node->high, p) - lower(node->low, p)) + Vec3{least, least, least};
+  const double area = along(size, (across + 1) % 3) * along(size, (across + 2) % 3) / std::abs(along(n, across));
+  return count / (area * trajectories);
 }
 
 double Pilot::startDensity(const Material& material) const
@@ -108,6 +119,6 @@ void Pilot::annotate(VertexPool& pool) const
   for (VertexSet* set : {&pool.reflected, &pool.glossy})
     for (std::size_t i = 0; i < set->size(); ++i)
       if (set->inverseDensity[i] < 0)
-        set->inverseDensity[i] = static_cast<float>(1 / this->density(set->position(i)));
+        set->inverseDensity[i] = static_cast<float>(1 / this->density(set->position(i), set->normal(i)));
 }
 }  // namespace kalos

@@ -19,9 +19,11 @@ public:
   /// Starts on emitting meshes per trajectory.
   double starts() const { return this->Starts; }
 
-  /// Density of collisions about the point p of a surface, from an octree over the pilot's vertices: right within a
-  /// small factor, positive everywhere.
-  double density(const Vec3& p) const;
+  /// Density of collisions about the point p of a surface of unit normal n: right within a small factor, positive
+  /// everywhere. From k-d trees over the pilot's vertices, one for each of the six directions that a normal is nearest
+  /// to, split at the median, so that a small bright surface has leaves of its own wherever it lies. A leaf's vertices
+  /// lie in the rectangle that holds them and p, seen along that direction.
+  double density(const Vec3& p, const Vec3& n) const;
 
   /// Density of starts on an emitting material; exact.
   double startDensity(const Material& material) const;
@@ -35,19 +37,22 @@ public:
 private:
   struct Node
   {
-    int children = -1;   // index of the first of eight, or none
-    double density = 0;  // of the smallest cube about here that holds enough vertices
+    int axis = -1;  // of the split, whose children follow: below it the first, or none: a leaf
+    double split = 0;
+    int children = 0;
+    Vec3 low, high;  // of the vertices in a leaf
+    int count = 0;
   };
   struct Collision
   {
     Vec3 position, normal;
   };
-  void split(int node, const Vec3& centre, double half, const std::vector<Collision>& inside, int depth);
-  static double densityIn(double side, const std::vector<Collision>& inside);
+  using Iterator = std::vector<Collision>::iterator;
+  void split(std::size_t node, Iterator begin, Iterator end);
 
   const Scene& Lit;
   double Flux, Collisions = 0, Starts = 0, Typical = 0;
-  std::vector<Node> Nodes;
+  std::vector<Node> Nodes;  // the roots of the six trees, then the others
 };
 }  // namespace kalos
 

@@ -19,15 +19,16 @@ inline Vec3 probeDirection(const Frame& frame, int i)
 }
 
 /// Sends `count` of these rays and calls visit(G, y) for each that ends on a surface point y, with the kernel G (1/m2)
-/// of that pair. `inGap`: see isInGap().
+/// of that pair.
 template <class Visit>
-void sendProbes(const Scene& scene, const Sensor& sensor, bool inGap, int count, const Visit& visit)
+void sendProbes(const Scene& scene, const Sensor& sensor, int count, const Visit& visit)
 {
   const Frame frame(sensor.normal);
+  const bool alone = isInGap(scene, sensor.anchor);
   std::vector<RayOnItsWay> rays;
   rays.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
-    rays.push_back({sensor.anchor, probeDirection(frame, i), inGap, {}});
+    rays.push_back({sensor.anchor, probeDirection(frame, i), alone, {}});
   traceTogether(scene, rays);
   for (const RayOnItsWay& ray : rays)
   {

@@ -11,7 +11,7 @@ void ReceiverGroup::add(std::size_t receiver, const Sensor& sensor)
 {
   const int k = this->Count++;
   this->Receiver[k] = receiver;
-  this->Lifted[k] = sensor.anchor.lifted;
+  this->Anchor[k] = sensor.anchor;
   this->X[k] = static_cast<float>(sensor.position.x);
   this->Y[k] = static_cast<float>(sensor.position.y);
   this->Z[k] = static_cast<float>(sensor.position.z);
@@ -44,11 +44,10 @@ void ReceiverGroup::share(const Sensor& y, int finder, bool near, const RayScene
   std::uint32_t hidden = 0;
   int lane[capacity], count = 0;
   SegmentPacket packet;
-  const Vec3& from = y.anchor.lifted;
   for (int k = 0; k < this->Count; ++k)
     if (k != finder && g[k] > 0)
     {
-      packet.set(count, from, this->Lifted[k] - from);
+      packet.set(count, y.anchor, this->Anchor[k]);
       lane[count++] = k;
     }
   if (rays && count > 0)

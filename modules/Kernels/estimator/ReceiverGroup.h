@@ -36,7 +36,7 @@ public:
 private:
   int Count = 0;
   std::size_t Receiver[capacity];
-  Vec3 Lifted[capacity];
+  RayAnchor Anchor[capacity];
   alignas(64) float X[capacity] = {}, Y[capacity] = {}, Z[capacity] = {};     // places
   alignas(64) float Nx[capacity] = {}, Ny[capacity] = {}, Nz[capacity] = {};  // normals; 0, which sees nothing, of none
   alignas(64) float Near[capacity] = {};                                      // m2, see squaredNearness()

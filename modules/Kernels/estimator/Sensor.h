@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "scene/Scene.h"
+#include "scene/Placement.h"
 
 namespace kalos
 {
@@ -25,7 +25,7 @@ struct Sensor
   double ratio = std::numeric_limits<double>::infinity();
 
   Sensor() = default;
-  Sensor(const Scene& scene, const Vec3& p, const Vec3& n) : position(p), normal(n), anchor(scene.anchor(p, n)) {}
+  explicit Sensor(const RayAnchor& a) : position(a.point), normal(a.normal), anchor(a) {}
 };
 
 /// x / (1 + x), also for infinite x: the gathered share of a pair whose G/G* is x.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/Trajectories.h"
 
+#include "estimator/VisibilityCheck.h"
+
 namespace kalos
 {
 void VertexPool::append(const VertexPool& other)
@@ -23,8 +25,7 @@ void noteStart(const Scene& scene, std::size_t surface, const SurfacePoint& met,
     energy.trapped(surface) += 1;
 }
 
-// Walks one trajectory. `onStart(sample)`, `onSegment(from, direction, point, weight, first)`, with `from` off its
-// surface, and `onCollision(point, towardsLight, weight)` see what happens.
+// Walks one trajectory. `onStart(sample)`, `onSegment(from, direction, point, weight, first)` and `onCollision(point, towardsLight, weight)` see what happens.
 // Notes in `energy` what becomes of the light.
 template <class OnStart, class OnSegment, class OnCollision>
 void walk(const Scene& scene, const Emission& emission, SampleStream random, EnergySums& energy, OnStart onStart,
@@ -38,14 +39,14 @@ void walk(const Scene& scene, const Emission& emission, SampleStream random, Ene
   energy.trajectories() += 1;
   Vec3 direction = start.direction;
   bool fromPoint = start.fromPoint;
-  RayAnchor from = start.onSurface ? scene.anchor(start.position, start.normal) : start.position;
+  RayAnchor from = start.anchor;
   SurfacePoint point = scene.trace(from, direction);
   if (start.onSurface)
     noteStart(scene, scene.surface(start.triangle), point, energy);
   std::size_t last = start.onSurface ? scene.surface(start.triangle) : scene.surfaces();
   for (bool first = true;; first = false)
   {
-    onSegment(from.lifted, direction, point, weight, first);
+    onSegment(from, direction, point, weight, first);
     if (!point.valid)
     {
       energy.escaped() += luminous;
@@ -68,7 +69,7 @@ void walk(const Scene& scene, const Emission& emission, SampleStream random, Ene
       weight[b] *= next.weight[b];
     luminous = photometric(weight, scene.bands());
     direction = next.direction;
-    from = scene.anchor(point.position, point.normal);
+    from = scene.anchor(point);
     point = scene.trace(from, direction);
   }
 }
@@ -87,18 +88,30 @@ VertexPool traceTrajectories(const Scene& scene, const Emission& emission, const
     for (int b = 0; b < scene.bands(); ++b)
       reflected[b] = material.reflectance[b] * weight[b];
     if (photometric(reflected, scene.bands()) > 0)  // a mirror's vertex scores nothing
-      pool.reflected.add(scene, point.position, point.normal, reflected, inverse);
+      pool.reflected.add(scene.anchor(point), reflected, inverse);
   };
+  VisibilityCheck check(scene, pool.energy);
   for (long long i = first; i < first + count; ++i)
   {
+    std::size_t surface = scene.surfaces();  // where the vertex lies; from a luminaire: none
     walk(
         scene, emission, walks.stream(replicate, Purpose::Trajectory, i), pool.energy,
         [&](const EmissionSample& start) {
-          if (start.onSurface)
-            pool.emitted.add(scene, start.position, start.normal, start.weight, 1 / start.density);
+          if (!start.onSurface)
+            return;
+          pool.emitted.add(start.anchor, start.weight, 1 / start.density);
+          surface = scene.surface(start.triangle);
         },
-        [](auto&&...) {}, keep);
+        [&](const RayAnchor& from, const Vec3&, const SurfacePoint& point, const Bands&, bool) {
+          if (!point.valid)
+            return;
+          if (surface < scene.surfaces() && i % VisibilityCheck::every == 0)
+            check.add(from, surface, point);
+          surface = scene.surface(point.triangle);
+        },
+        keep);
   }
+  check.finish();
   return pool;
 }
 
@@ -110,12 +123,13 @@ EnergySums walkTrajectories(const Scene& scene, const Emission& emission, const 
   {
     walk(
         scene, emission, walks.stream(replicate, Purpose::Trajectory, i), energy, [](auto&&...) {},
-        [&](const Vec3& from, const Vec3& direction, const SurfacePoint& point, const Bands& weight,
+        [&](const RayAnchor& start, const Vec3& direction, const SurfacePoint& point, const Bands& weight,
             bool firstSegment) {
+          const Vec3 from = start.lifted();
           Vec3 to = from + (4 * (scene.size() + length(from))) * direction;
           if (point.valid)
           {
-            const double depth = length(scene.offset(point.position, point.normal) - point.position);
+            const double depth = scene.anchor(point).lift();
             to = point.position + (depth / std::max(0.01, -dot(direction, point.normal))) * direction;
           }
           visit({from, to, direction, weight, firstSegment});

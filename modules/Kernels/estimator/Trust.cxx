@@ -18,8 +18,7 @@ double nearKernel(const Scene& scene, const Sensor& sensor)
   constexpr int probes = 64;
   std::array<double, probes> kernels{};
   std::size_t met = 0;
-  sendProbes(scene, sensor, isInGap(scene, sensor.position, sensor.normal), probes,
-             [&](double kernel, const Vec3&) { kernels[met++] = kernel; });
+  sendProbes(scene, sensor, probes, [&](double kernel, const Vec3&) { kernels[met++] = kernel; });
   std::nth_element(kernels.begin(), kernels.begin() + 2, kernels.end(), std::greater<double>());
   return kernels[2];
 }

@@ -19,7 +19,8 @@ void changeArrays(const Change& change, VertexSet& v, const Set&... others)
   change(v.nx, others.nx...);
   change(v.ny, others.ny...);
   change(v.nz, others.nz...);
-  change(v.offset, others.offset...);
+  change(v.lift, others.lift...);
+  change(v.slope, others.slope...);
   change(v.inverseDensity, others.inverseDensity...);
   change(v.luminous, others.luminous...);
   for (std::size_t b = 0; b < v.flux.size(); ++b)
@@ -29,15 +30,24 @@ void changeArrays(const Change& change, VertexSet& v, const Set&... others)
 }
 }  // namespace
 
-void VertexSet::add(const Scene& scene, const Vec3& p, const Vec3& n, const Bands& m, double inverse)
+RayAnchor VertexSet::stored(const RayAnchor& at)
 {
+  VertexSet one;
+  one.add(at, {});
+  return one.anchor(0);
+}
+
+void VertexSet::add(const RayAnchor& at, const Bands& m, double inverse)
+{
+  const Vec3 &p = at.point, &n = at.normal;
   this->px.push_back(static_cast<float>(p.x));
   this->py.push_back(static_cast<float>(p.y));
   this->pz.push_back(static_cast<float>(p.z));
   this->nx.push_back(static_cast<float>(n.x));
   this->ny.push_back(static_cast<float>(n.y));
   this->nz.push_back(static_cast<float>(n.z));
-  this->offset.push_back(static_cast<float>(length(scene.offset(p, n) - p)));
+  this->lift.push_back(static_cast<float>(at.base));
+  this->slope.push_back(static_cast<float>(at.slope));
   this->inverseDensity.push_back(static_cast<float>(inverse));
   const int bands = static_cast<int>(this->flux.size());
   this->luminous.push_back(static_cast<float>(photometric(m, bands)));
@@ -48,7 +58,7 @@ void VertexSet::add(const Scene& scene, const Vec3& p, const Vec3& n, const Band
 void VertexSet::addGlossy(const Scene& scene, const SurfacePoint& point, const Vec3& towardsLight,
                           const Bands& incidentFlux, double inverse)
 {
-  this->add(scene, point.position, point.normal, incidentFlux, inverse);
+  this->add(scene.anchor(point), incidentFlux, inverse);
   this->brdf.push_back(&scene.brdf(point.triangle));
   this->incident.push_back(towardsLight);
 }

@@ -15,7 +15,7 @@ namespace kalos
 struct VertexSet
 {
   std::vector<float> px, py, pz, nx, ny, nz;
-  std::vector<float> offset;          ///< m along n to where shadow rays start
+  std::vector<float> lift, slope;     ///< of the anchor where shadow rays end
   std::vector<float> inverseDensity;  ///< m2 and trajectories per vertex about here; < 0: to be noted, 0: scored whole
   std::vector<float> luminous;        ///< lm, photometric total of the bands
   std::vector<std::vector<float>> flux;  ///< lm, one array per band
@@ -27,16 +27,18 @@ struct VertexSet
   bool isGlossy() const { return !this->brdf.empty(); }
   Vec3 position(std::size_t i) const { return {this->px[i], this->py[i], this->pz[i]}; }
   Vec3 normal(std::size_t i) const { return {this->nx[i], this->ny[i], this->nz[i]}; }
-  Vec3 shadowTarget(std::size_t i) const  ///< where shadow rays to the vertex end
+  RayAnchor anchor(std::size_t i) const  ///< where shadow rays to the vertex end
   {
-    const double lift = this->offset[i];
-    return this->position(i) + lift * this->normal(i);
+    return {this->position(i), this->normal(i), this->lift[i], this->slope[i]};
   }
+
+  /// What is left of an anchor in single precision.
+  static RayAnchor stored(const RayAnchor& at);
 
   /// A number for random streams that tells vertices apart, from the bits of the position.
   long long key(std::size_t i) const;
 
-  void add(const Scene& scene, const Vec3& p, const Vec3& n, const Bands& m, double inverse = -1);
+  void add(const RayAnchor& at, const Bands& fluxPerBand, double inverse = -1);
   void addGlossy(const Scene& scene, const SurfacePoint& point, const Vec3& towardsLight, const Bands& incidentFlux,
                  double inverse = -1);
   void append(const VertexSet& other);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/Polygon.h"
 
+#include <limits>
+
 namespace kalos
 {
 namespace
@@ -61,6 +63,28 @@ double polygonFormFactor(const Vec3& r, const Vec3& n, const Vec3* corners, int 
     ha = hb;
   }
   return std::min(1.0, std::abs(sum.close()) / (2 * pi));
+}
+
+Vec3 nearestPoint(const Vec3* corners, int count, const Vec3& p)
+{
+  const Vec3 normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
+  const Vec3 foot = p - dot(p - corners[0], normal) * normal;
+  bool inside = true;
+  Vec3 nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < count; ++i)
+  {
+    const Vec3 &a = corners[i], along = corners[(i + 1) % count] - a;
+    inside = inside && dot(cross(along, foot - a), normal) >= 0;
+    const Vec3 q = a + std::clamp(dot(foot - a, along) / dot(along, along), 0.0, 1.0) * along;
+    const double squared = dot(foot - q, foot - q);
+    if (squared < least)
+    {
+      least = squared;
+      nearest = q;
+    }
+  }
+  return inside ? foot : nearest;
 }
 
 SphericalTriangle::SphericalTriangle(const Vec3& from, const Vec3& a, const Vec3& b, const Vec3& c)

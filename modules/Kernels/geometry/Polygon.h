@@ -13,10 +13,14 @@ namespace kalos
 /// The side of the polygon that r lies on does not matter; a caller with one-sided emission checks it.
 double polygonFormFactor(const Vec3& r, const Vec3& n, const Vec3* corners, int count);
 
+/// The point of a planar convex polygon that is nearest to p.
+Vec3 nearestPoint(const Vec3* corners, int count, const Vec3& p);
+
 /// A triangle seen from a point: its solid angle and uniform samples of directions in it (Arvo 1995).
 class SphericalTriangle
 {
 public:
+  SphericalTriangle() = default;  ///< an empty one
   SphericalTriangle(const Vec3& from, const Vec3& a, const Vec3& b, const Vec3& c);
 
   /// Solid angle, sr. 0 when the triangle is seen edge on.

@@ -44,9 +44,20 @@ inline double dot(const Vec3& a, const Vec3& b)
 {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+/// Sum of |a_i b_i|: the dot product of vectors whose signs are not known.
+inline double absDot(const Vec3& a, const Vec3& b)
+{
+  return std::abs(a.x * b.x) + std::abs(a.y * b.y) + std::abs(a.z * b.z);
+}
 inline Vec3 cross(const Vec3& a, const Vec3& b)
 {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+/// The larger of |a_i| and |b_i| on each axis.
+inline Vec3 largestAbs(const Vec3& a, const Vec3& b)
+{
+  return {std::max(std::abs(a.x), std::abs(b.x)), std::max(std::abs(a.y), std::abs(b.y)),
+          std::max(std::abs(a.z), std::abs(b.z))};
 }
 inline double length(const Vec3& a)
 {

@@ -6,7 +6,7 @@ namespace kalos
 namespace
 {
 constexpr int width = SegmentPacket::width;
-constexpr double far = 1000;  // times what a start is lifted
+constexpr double far = 500;  // times what a start is lifted
 
 // The rays that a packet takes, and who they are.
 struct Packet
@@ -14,12 +14,6 @@ struct Packet
   SegmentPacket segments;
   std::size_t ray[width];
   int count = 0;
-
-  void add(std::size_t i, const Vec3& from, const Vec3& along)
-  {
-    this->segments.set(this->count, from, along);
-    this->ray[this->count++] = i;
-  }
 };
 
 // Ends the rays of a packet, but for those that single precision can not decide.
@@ -51,8 +45,8 @@ void shadow(const RayScene& scene, Packet& packet, std::vector<ShadowRay>& rays)
 
 double squaredNearness(const RayAnchor& start)
 {
-  const Vec3 lift = start.lifted - start.point;
-  return far * far * dot(lift, lift);
+  const double nearness = far * start.lift();
+  return nearness * nearness;
 }
 
 bool isFarFrom(const RayAnchor& start, double squaredDistance)
@@ -60,11 +54,18 @@ bool isFarFrom(const RayAnchor& start, double squaredDistance)
   return squaredDistance > squaredNearness(start);
 }
 
-bool isInGap(const Scene& scene, const Vec3& p, const Vec3& n)
+bool crowds(const RayAnchor& start, double squaredDistance)
 {
-  const RayAnchor anchor = scene.anchor(p, n);
-  const SurfacePoint y = scene.trace(anchor, n);
-  const Vec3 d = y.position - p;
+  const double reach = RayScene::crowd * start.lift();
+  return squaredDistance < reach * reach;
+}
+
+bool isInGap(const Scene& scene, const RayAnchor& anchor)
+{
+  if (anchor.crowded)
+    return true;
+  const SurfacePoint y = scene.trace(anchor, anchor.normal);
+  const Vec3 d = y.position - anchor.point;
   return y.valid && !isFarFrom(anchor, dot(d, d));
 }
 
@@ -73,12 +74,13 @@ void traceTogether(const Scene& scene, std::vector<RayOnItsWay>& rays)
   Packet packet;
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
-    if (rays[i].alone)
+    if (rays[i].alone || rays[i].start.crowded)
     {
       rays[i].end = scene.trace(rays[i].start, rays[i].direction);
       continue;
     }
-    packet.add(i, rays[i].start.lifted, rays[i].direction);
+    packet.segments.set(packet.count, rays[i].start.lifted(), rays[i].direction);
+    packet.ray[packet.count++] = i;
     if (packet.count == width)
       trace(scene, packet, rays);
   }
@@ -92,14 +94,15 @@ void shadowTogether(const RayScene& scene, std::vector<ShadowRay>& rays)
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
     ShadowRay& ray = rays[i];
-    const Vec3 along = ray.to.lifted - ray.from.lifted;
+    const Vec3 along = ray.to.point - ray.from.point;
     const double squared = dot(along, along);
-    if (ray.alone || !isFarFrom(ray.from, squared) || !isFarFrom(ray.to, squared))
+    if (ray.alone || ray.from.crowded || ray.to.crowded || !isFarFrom(ray.from, squared) || !isFarFrom(ray.to, squared))
     {
       ray.hidden = scene.occluded(ray.from, ray.to);
       continue;
     }
-    packet.add(i, ray.from.lifted, along);
+    packet.segments.set(packet.count, ray.from, ray.to);
+    packet.ray[packet.count++] = i;
     if (packet.count == width)
       shadow(scene, packet, rays);
   }

@@ -18,9 +18,12 @@ bool isFarFrom(const RayAnchor& start, double squaredDistance);
 /// The squared distance, m2, from which on it is.
 double squaredNearness(const RayAnchor& start);
 
-/// Whether a surface faces the sensor at p with unit normal n so near that all its rays must be traced alone: the point
-/// lifted off its own surface might lie beyond the other.
-bool isInGap(const Scene& scene, const Vec3& p, const Vec3& n);
+/// Whether a surface point that a ray from `start` has met is crowded by the surface that the ray left.
+bool crowds(const RayAnchor& start, double squaredDistance);
+
+/// Whether a surface faces the anchor so near that all its rays must be traced alone: the point lifted off its own
+/// surface might lie beyond the other.
+bool isInGap(const Scene& scene, const RayAnchor& anchor);
 
 struct RayOnItsWay
 {

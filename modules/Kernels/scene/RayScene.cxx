@@ -142,7 +142,7 @@ struct RayScene::Embree
   }
 
   // Candidates in single precision, from a little behind the start to a little beyond the end; the filter keeps those
-  // between them.
+  // between them. Triangles near a crowded end are met in double precision instead, and are no candidates.
   struct Query
   {
     QueryContext context;  // first: the filter finds the query at its address
@@ -150,11 +150,18 @@ struct RayScene::Embree
     RayAnchor start;
     Vec3 direction;
     const RayAnchor* end;  // null: the ray goes on for ever
+    std::vector<std::uint32_t> near;
   };
 
   Query ask(const RayAnchor& start, const Vec3& direction, const RayAnchor* end, RTCRay& ray) const;
+  void addNear(const RayAnchor& anchor, std::vector<std::uint32_t>& near) const;
+  bool isBetween(const Query& query, std::uint32_t triangle) const;
+  Hit meet(const Query& query, std::uint32_t triangle, double& distance) const;
+  Hit firstNear(const Query& query, double& distance) const;
+  double distanceTo(const Query& query, std::uint32_t triangle) const;
   Hit first(const RayAnchor& start, const Vec3& direction) const;
   static void keepAhead(const RTCFilterFunctionNArguments* filter);
+  static void search(RTCScene scene, const Vec3& p, double radius, const std::function<bool(std::uint32_t)>& visit);
 };
 
 RayScene::Embree::Query RayScene::Embree::ask(const RayAnchor& start, const Vec3& direction, const RayAnchor* end,
@@ -164,30 +171,85 @@ RayScene::Embree::Query RayScene::Embree::ask(const RayAnchor& start, const Vec3
   const double beyond = 0x1.0p-20 * std::max(this->extent, maxAbs(start.point)) / (length(direction) + 1e-30);
   const double far = end ? 1 + 2 * beyond : std::numeric_limits<double>::infinity();
   ray = makeRay(start.point - beyond * direction, direction, static_cast<float>(far));
-  return {{}, this, start, direction, end};
+  Query query{{}, this, start, direction, end, {}};
+  this->addNear(start, query.near);
+  if (end)
+    this->addNear(*end, query.near);
+  return query;
+}
+
+void RayScene::Embree::addNear(const RayAnchor& anchor, std::vector<std::uint32_t>& near) const
+{
+  if (!anchor.crowded)
+    return;
+  search(this->scene, anchor.point, crowd * anchor.lift(), [&](std::uint32_t t) {
+    near.push_back(t);
+    return true;
+  });
 }
 
 namespace
 {
 // Where the anchored end of a ray lies for a triangle of normal n, not of unit length.
-const Vec3& endFor(const RayAnchor& anchor, const Vec3& n)
+Vec3 endFor(const RayAnchor& anchor, const Vec3& n)
 {
   constexpr double parallel = 0.998;  // squared cosine: within 2.6 degrees
-  const Vec3 lift = anchor.lifted - anchor.point;
-  const double along = dot(n, lift);
-  return along * along > parallel * dot(n, n) * dot(lift, lift) ? anchor.lifted : anchor.point;
+  const double along = dot(n, anchor.normal);
+  return along * along > parallel * dot(n, n) ? anchor.lifted() : anchor.point;
 }
 }  // namespace
+
+// Whether the plane of a triangle lies between the ends.
+bool RayScene::Embree::isBetween(const Query& query, std::uint32_t triangle) const
+{
+  const Triangle& t = this->triangles[triangle];
+  const Vec3 a = this->points[t[0]], n = cross(this->points[t[1]] - a, this->points[t[2]] - a);
+  const double side = dot(n, endFor(query.start, n) - a);
+  const double towards = dot(n, query.end ? endFor(*query.end, n) - a : query.direction);
+  return side * towards < 0;
+}
+
+// Along the ray to the plane of a triangle, in lengths of its direction.
+double RayScene::Embree::distanceTo(const Query& query, std::uint32_t triangle) const
+{
+  const Triangle& t = this->triangles[triangle];
+  const Vec3 a = this->points[t[0]], n = cross(this->points[t[1]] - a, this->points[t[2]] - a);
+  return -dot(n, query.start.point - a) / dot(n, query.direction);
+}
+
+Hit RayScene::Embree::meet(const Query& query, std::uint32_t triangle, double& distance) const
+{
+  if (!this->isBetween(query, triangle))
+    return {};
+  const Triangle& t = this->triangles[triangle];
+  const Vec3 a = this->points[t[0]], u = this->points[t[1]] - a, v = this->points[t[2]] - a, n = cross(u, v);
+  distance = this->distanceTo(query, triangle);
+  const Vec3 p = query.start.point + distance * query.direction - a;
+  const double square = dot(n, n), atU = dot(cross(p, v), n) / square, atV = dot(cross(u, p), n) / square;
+  return {atU >= 0 && atV >= 0 && atU + atV <= 1, triangle, atU, atV};
+}
+
+Hit RayScene::Embree::firstNear(const Query& query, double& distance) const
+{
+  Hit first;
+  distance = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t t : query.near)
+  {
+    double there;
+    const Hit hit = this->meet(query, t, there);
+    if (!hit.valid || !(there < distance))
+      continue;
+    first = hit;
+    distance = there;
+  }
+  return first;
+}
 
 void RayScene::Embree::keepAhead(const RTCFilterFunctionNArguments* filter)
 {
   const auto& query = *reinterpret_cast<const Query*>(filter->context);
-  const Triangle& t = query.embree->triangles[RTCHitN_primID(filter->hit, filter->N, 0)];
-  const Vec3 a = query.embree->points[t[0]];
-  const Vec3 n = cross(query.embree->points[t[1]] - a, query.embree->points[t[2]] - a);
-  const double side = dot(n, endFor(query.start, n) - a);
-  const double towards = dot(n, query.end ? endFor(*query.end, n) - a : query.direction);
-  if (!(side * towards < 0))
+  const std::uint32_t t = RTCHitN_primID(filter->hit, filter->N, 0);
+  if (std::find(query.near.begin(), query.near.end(), t) != query.near.end() || !query.embree->isBetween(query, t))
     filter->valid[0] = 0;
 }
 
@@ -244,9 +306,11 @@ Hit RayScene::Embree::first(const RayAnchor& start, const Vec3& direction) const
   RTCRayHit hit{};
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   Query query = this->ask(start, direction, nullptr, hit.ray);
+  double distance;
+  const Hit near = this->firstNear(query, distance);
   traceFirst(this->scene, query.context, keepAhead, hit);
-  if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID)
-    return {};
+  if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID || (near.valid && distance < this->distanceTo(query, hit.hit.primID)))
+    return near;
   return {true, hit.hit.primID, hit.hit.u, hit.hit.v};
 }
 
@@ -291,6 +355,9 @@ bool RayScene::occluded(const RayAnchor& a, const RayAnchor& b) const
   countRays(1);
   RTCRay ray;
   Embree::Query query = this->Impl->ask(a, b.point - a.point, &b, ray);
+  double distance;
+  if (this->Impl->firstNear(query, distance).valid)
+    return true;
   traceAny(this->Impl->scene, query.context, Embree::keepAhead, ray);
   return ray.tfar < 0;
 }
@@ -328,6 +395,12 @@ void RayScene::crossings(const Vec3& a, const Vec3& b, const std::function<void(
 
 void RayScene::nearby(const Vec3& p, double radius, const std::function<bool(std::uint32_t)>& visit) const
 {
+  Embree::search(this->Impl->scene, p, radius, visit);
+}
+
+void RayScene::Embree::search(RTCScene scene, const Vec3& p, double radius,
+                              const std::function<bool(std::uint32_t)>& visit)
+{
   RTCPointQuery query{};
   query.x = static_cast<float>(p.x);
   query.y = static_cast<float>(p.y);
@@ -341,7 +414,7 @@ void RayScene::nearby(const Vec3& p, double radius, const std::function<bool(std
       found->query->radius = 0;
     return !goOn;  // whether the radius changed
   };
-  rtcPointQuery(this->Impl->scene, &query, &context, note,
+  rtcPointQuery(scene, &query, &context, note,
                 const_cast<void*>(static_cast<const void*>(&visit)));  // Embree's user pointer is not const
 }
 }  // namespace kalos

@@ -22,18 +22,35 @@ struct Hit
   double u = 0, v = 0;  ///< barycentric weights of the triangle's second and third corner
 };
 
-/// Where a ray starts or ends: at a point in free space, or at a point of a surface, whose own triangle it does not
-/// meet. Which triangles lie between the ends is decided in double precision, so that a ray leaves a gap of any width;
-/// but to triangles nearly parallel to the surface it reaches to `lifted` only: models hold layers that nearly
-/// coincide.
+/// Where a ray starts or ends: at a point in free space, or at a point of a surface, whose own triangle it must not
+/// meet. A single ray decides in double precision which triangles lie between its ends, so that it leaves a gap of any
+/// width; but to triangles nearly parallel to the surface it reaches to lifted() only: models hold layers that nearly
+/// coincide. Rays in packets are in single precision: both ends are lifted by what single precision may err, which
+/// depends on the coordinates of the surface and of *both* ends, see Scene::anchor().
 struct RayAnchor
 {
   Vec3 point;
-  Vec3 lifted;  ///< moved off the surface along its normal; equal to `point` in free space
+  Vec3 normal;       ///< unit, off the surface; zero in free space
+  double base = 0;   ///< m, lift for the coordinates of the surface
+  double slope = 0;  ///< lift for each metre of the ends' coordinates along the normal
+  /// Other surfaces are so near that single precision cannot tell on which side of them the anchor lies: single rays
+  /// meet these in double precision, packets must not be used.
+  bool crowded = false;
 
   RayAnchor() = default;
-  RayAnchor(const Vec3& p) : point(p), lifted(p) {}  // implicit: most ends are points in free space
-  RayAnchor(const Vec3& p, const Vec3& off) : point(p), lifted(off) {}
+  RayAnchor(const Vec3& p) : point(p) {}  // implicit: most ends are points in free space
+  RayAnchor(const Vec3& p, const Vec3& n, double liftOfSurface, double liftPerMetre)
+      : point(p), normal(n), base(liftOfSurface), slope(liftPerMetre)
+  {
+  }
+
+  /// m, how far the end of a ray is lifted whose other end is q.
+  double liftFor(const Vec3& q) const { return this->base + this->slope * absDot(this->normal, q); }
+  Vec3 liftedFor(const Vec3& q) const { return this->point + this->liftFor(q) * this->normal; }
+
+  /// The same for a ray that starts here and ends anywhere.
+  double lift() const { return this->liftFor(this->point); }
+  Vec3 lifted() const { return this->liftedFor(this->point); }
 };
 
 /// Sixteen segments in structure-of-arrays form: from o to o + d.
@@ -51,6 +68,13 @@ struct alignas(64) SegmentPacket
     this->dy[i] = static_cast<float>(d.y);
     this->dz[i] = static_cast<float>(d.z);
   }
+
+  /// Between two anchors, both lifted.
+  void set(int i, const RayAnchor& from, const RayAnchor& to)
+  {
+    const Vec3 o = from.liftedFor(to.point);
+    this->set(i, o, to.liftedFor(from.point) - o);
+  }
 };
 
 /// Where sixteen rays end. Of ray i: `triangle` is noTriangle when it ends nowhere, `distance` is in lengths of its
@@ -65,6 +89,8 @@ struct alignas(64) HitPacket
 class RayScene
 {
 public:
+  static constexpr double crowd = 16;  ///< lifts: from a crowded anchor, triangles within are met in double precision
+
   /// Copies the triangles; points in metres, near the origin (single precision inside).
   RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
   ~RayScene();

@@ -96,6 +96,46 @@ Scene::Scene(SceneDescription description)
     this->Normals[t] = normalized(twiceArea);
     this->SurfaceArea += this->Areas[t];
   }
+  for (const Luminaire& l : this->Data.luminaires)
+    this->LuminaireAnchors.push_back(l.isOneSided()
+                                         ? this->anchorWithin(l.position, l.axis, 0.5 * length(l.sideU + l.sideV) +
+                                                                                      this->contact(l.position))
+                                         : RayAnchor(l.position));
+}
+
+double Scene::liftPerMetre(std::uint32_t t) const
+{
+  const Vec3& n = this->Normals[t];
+  if (maxAbs(n) > 1 - 1e-12)  // across an axis: its corners share a coordinate, which is rounded alike
+    return roundingScale;
+  const Vec3 a = this->corner(t, 0), b = this->corner(t, 1), c = this->corner(t, 2);
+  const double longest = std::max({dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)});
+  const double slender = longest / (2 * this->Areas[t]);  // the longest side over the height on it
+  return roundingScale * std::max(1.0, 0.25 * slender);
+}
+
+RayAnchor Scene::anchor(std::uint32_t t, const Vec3& p, const Vec3& n) const
+{
+  const Vec3 largest = largestAbs(largestAbs(this->corner(t, 0), this->corner(t, 1)), this->corner(t, 2));
+  const double slope = this->liftPerMetre(t);
+  return {p, n, slope * absDot(n, largest), slope};
+}
+
+RayAnchor Scene::anchorWithin(const Vec3& p, const Vec3& n, double radius) const
+{
+  RayAnchor anchor(p, n, this->contact(p), roundingScale);
+  this->Rays.nearby(p, radius, [&](std::uint32_t t) {
+    const double height = std::abs(dot(p - this->corner(t, 0), this->Normals[t]));
+    if (std::abs(dot(this->Normals[t], n)) < 0.999)
+      return true;
+    const RayAnchor own = this->anchor(t, p, n);
+    if (height > std::max(own.base, this->contact(p)))
+      return true;
+    anchor.base = std::max(anchor.base, own.base);
+    anchor.slope = std::max(anchor.slope, own.slope);
+    return true;
+  });
+  return anchor;
 }
 
 SurfacePoint Scene::trace(const RayAnchor& start, const Vec3& direction) const
@@ -174,32 +214,16 @@ double largestKernel(double cosine, double height, double distance)
 }
 }  // namespace
 
-Vec3 Scene::settle(const Vec3& p, const Vec3& n) const
+bool Scene::isOver(std::uint32_t t, const Vec3& p, double reach) const
 {
-  const double reach = length(this->offset(p, n) - p);
-  std::vector<std::uint32_t> touched;
-  this->Rays.nearby(p, 2 * reach, [&](std::uint32_t t) {
-    touched.push_back(t);
-    return true;
-  });
-  std::sort(touched.begin(), touched.end());
-  Vec3 settled = p;
-  for (const std::uint32_t t : touched)
-  {
-    const Vec3 corners[3] = {this->corner(t, 0), this->corner(t, 1), this->corner(t, 2)};
-    const Vec3& side = this->Normals[t];
-    const double height = dot(settled - corners[0], side);
-    const bool own = std::abs(dot(side, n)) > 0.999;  // the surface that the sensor lies on
-    if (!own && std::abs(height) < reach && over(p, corners, side, reach))
-      settled += (reach - height) * side;
-  }
-  return settled;
+  const Vec3 corners[3] = {this->corner(t, 0), this->corner(t, 1), this->corner(t, 2)};
+  return over(p, corners, this->Normals[t], reach);
 }
 
 bool Scene::clear(const Vec3& p, const Vec3& n, double radius) const
 {
   constexpr int enough = 2000;  // triangles to look at: a fine mesh behind the sensor must not cost more than rays do
-  const double touch = 4 * length(this->offset(p, n) - p);  // what reaches no higher is of the sensor's own surface
+  const double touch = 4 * this->contact(p);  // what reaches no higher is of the sensor's own surface
   const double limit = rightAngle / (radius * radius);
   bool clear = true;
   int seen = 0;

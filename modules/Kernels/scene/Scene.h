@@ -83,21 +83,27 @@ public:
   /// The surface point that a ray along `direction` has hit.
   SurfacePoint point(const Hit& hit, const Vec3& direction) const;
 
-  /// Where rays leave or reach a surface point p of unit normal n.
-  RayAnchor anchor(const Vec3& p, const Vec3& n) const { return {p, this->offset(p, n)}; }
+  /// Where rays leave or reach a point p of a triangle, n being its normal or the opposite.
+  ///
+  /// Lift: in single precision a triangle's plane is missed by up to 16 units in the last place (2^-24) of the
+  /// coordinates of corners, ray ends and the way between, as they add up along n: |n_x| x + |n_y| y + |n_z| z. A plane
+  /// across an axis has one coordinate only, and is exact in the others. The plane of a slender triangle tilts with its
+  /// corners' rounding: by more, the longer it is over its height.
+  RayAnchor anchor(std::uint32_t triangle, const Vec3& p, const Vec3& n) const;
+  RayAnchor anchor(const SurfacePoint& p) const { return this->anchor(p.triangle, p.position, p.normal); }
 
-  /// Moves p off its surface: by a few units in the last place of single precision at p.
-  Vec3 offset(const Vec3& p, const Vec3& n) const { return p + (offsetScale * (maxAbs(p) + 0.05 * this->Size)) * n; }
+  /// The same of a point that may lie on a surface of normal n, or on none.
+  RayAnchor anchor(const Vec3& p, const Vec3& n) const { return this->anchorWithin(p, n, this->contact(p)); }
 
-  /// Where shadow rays to a point luminaire end: a lamp mounted flush with a ceiling shines into the room.
-  RayAnchor shadowTarget(const Luminaire& luminaire) const
-  {
-    return luminaire.isOneSided() ? this->anchor(luminaire.position, luminaire.axis) : luminaire.position;
-  }
+  /// Where rays from and to the point in the middle of luminaire i start and end: a lamp mounted flush with a ceiling
+  /// shines into the room.
+  const RayAnchor& luminaireAnchor(std::size_t i) const { return this->LuminaireAnchors[i]; }
 
-  /// A sensor at p with unit normal n that lies exactly on an edge, in a corner or at the foot of an object belongs to
-  /// the front side of every other surface it touches: moves it there, by at most a few offsets.
-  Vec3 settle(const Vec3& p, const Vec3& n) const;
+  /// m: a point so near to a surface may be meant to lie on it.
+  double contact(const Vec3& p) const { return roundingScale * (maxAbs(p) + 0.05 * this->Size); }
+
+  /// Whether p, near the plane of a triangle, lies over it or within `reach` (m) of its border.
+  bool isOver(std::uint32_t triangle, const Vec3& p, double reach) const;
 
   /// Whether every surface on the side of the unit normal n of the sensor at p is `radius` away, or has nowhere a
   /// larger kernel with it than a wall at right angles which is: pi G <= sqrt(27)/16 / radius^2. So a wall that leans
@@ -106,7 +112,12 @@ public:
   bool clear(const Vec3& p, const Vec3& n, double radius) const;
 
 private:
-  static constexpr double offsetScale = 0x1.0p-20;
+  static constexpr double roundingScale = 0x1.0p-20;
+
+  // An anchor at p lifted off all surfaces of normal n that come within `radius` of p, and by contact(p) at least.
+  RayAnchor anchorWithin(const Vec3& p, const Vec3& n, double radius) const;
+  // Lift per metre of coordinates at a triangle.
+  double liftPerMetre(std::uint32_t triangle) const;
 
   static Vec3 recentre(SceneDescription& description, double& size);
 
@@ -118,6 +129,7 @@ private:
   std::vector<Vec3> Normals;
   std::vector<double> Areas;
   double SurfaceArea = 0;
+  std::vector<RayAnchor> LuminaireAnchors;
 };
 }  // namespace kalos
 
