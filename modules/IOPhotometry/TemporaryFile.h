@@ -28,10 +28,10 @@ public:
   TemporaryFile(const TemporaryFile&) = delete;
   void operator=(const TemporaryFile&) = delete;
 
-  const std::string& Path() const { return this->Name; }
+  const std::string& path() const { return this->Name; }
 
   /** Replace the target in one step; throws std::filesystem::filesystem_error. */
-  void MoveIntoPlace() const { std::filesystem::rename(this->Name, this->Target); }
+  void moveIntoPlace() const { std::filesystem::rename(this->Name, this->Target); }
 
 private:
   std::string Target;

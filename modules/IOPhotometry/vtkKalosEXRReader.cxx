@@ -4,7 +4,9 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfTestFile.h>
 
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include "image/ExrHeader.h"
+#include "image/ExrPrimaries.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -80,7 +83,7 @@ bool hasChannel(const Imf::Header& header, const char* name)
 }
 
 /** The named channels as one array, bottom row first. */
-vtkSmartPointer<vtkFloatArray> readArray(Imf::InputFile& file, const char* arrayName,
+vtkSmartPointer<vtkFloatArray> readArray(Imf::InputPart& file, const char* arrayName,
                                          const std::vector<const char*>& channels)
 {
   const Size size = sizeOf(file.header());
@@ -121,7 +124,21 @@ void multiply(vtkFloatArray* array, float factor)
   }
 }
 
-vtkSmartPointer<vtkFloatArray> luminanceOf(vtkFloatArray* bands)
+void toRec709(vtkFloatArray* bands, const kalos::ExrPrimaries& primaries)
+{
+  for (vtkIdType i = 0; i < bands->GetNumberOfTuples(); ++i)
+  {
+    float* rgb = bands->GetPointer(3 * i);
+    const double own[3] = {rgb[0], rgb[1], rgb[2]};
+    for (int c = 0; c < 3; ++c)
+    {
+      const double* row = primaries.toRec709[c];
+      rgb[c] = static_cast<float>(row[0] * own[0] + row[1] * own[1] + row[2] * own[2]);
+    }
+  }
+}
+
+vtkSmartPointer<vtkFloatArray> luminanceOf(vtkFloatArray* bands, const double weights[3])
 {
   auto luminance = vtkSmartPointer<vtkFloatArray>::New();
   luminance->SetName(vtkKalosArrayNames::Luminance);
@@ -129,23 +146,43 @@ vtkSmartPointer<vtkFloatArray> luminanceOf(vtkFloatArray* bands)
   for (vtkIdType i = 0; i < bands->GetNumberOfTuples(); ++i)
   {
     const float* rgb = bands->GetPointer(3 * i);
-    luminance->SetValue(i, static_cast<float>(0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]));
+    luminance->SetValue(i, static_cast<float>(weights[0] * rgb[0] + weights[1] * rgb[1] + weights[2] * rgb[2]));
   }
   return luminance;
+}
+
+bool hasRgb(const Imf::Header& header)
+{
+  return hasChannel(header, "R") && hasChannel(header, "G") && hasChannel(header, "B");
+}
+
+/** The first part with luminance. */
+int findPart(const Imf::MultiPartInputFile& file)
+{
+  for (int part = 0; part < file.parts(); ++part)
+  {
+    const Imf::Header& header = file.header(part);
+    const bool flat = !header.hasType() || header.type() == Imf::SCANLINEIMAGE || header.type() == Imf::TILEDIMAGE;
+    if (flat && (hasRgb(header) || hasChannel(header, "Y")))
+    {
+      return part;
+    }
+  }
+  throw Problem(file.parts() == 1
+                    ? std::string("header: no luminance; expected the channel Y, or R, G and B, at full resolution")
+                    : "header: none of the " + std::to_string(file.parts()) +
+                          " parts has a luminance by itself; expected a part with the channel Y, or R, G and B");
 }
 
 vtkSmartPointer<vtkImageData> readImage(const char* path)
 {
   using namespace vtkKalosArrayNames;
   checkFile(path);
-  Imf::InputFile file(path);
+  Imf::MultiPartInputFile parts(path);
+  Imf::InputPart file(parts, findPart(parts));
   const Imf::Header& header = file.header();
   const Size size = sizeOf(header);
-  const bool rgb = hasChannel(header, "R") && hasChannel(header, "G") && hasChannel(header, "B");
-  if (!rgb && !hasChannel(header, "Y"))
-  {
-    throw Problem("header: no luminance; expected the channel Y, or R, G and B, at full resolution");
-  }
+  const bool rgb = hasRgb(header);
   const float unit = Imf::hasWhiteLuminance(header) ? Imf::whiteLuminance(header) : 1.0F;
   if (!(std::isfinite(unit) && unit > 0.0F))
   {
@@ -163,7 +200,13 @@ vtkSmartPointer<vtkImageData> readImage(const char* path)
   };
   if (rgb)
   {
-    data->AddArray(luminanceOf(add(LuminanceBands, {"R", "G", "B"})));
+    const kalos::ExrPrimaries primaries = kalos::primariesOf(header);
+    const auto bands = add(LuminanceBands, {"R", "G", "B"});
+    data->AddArray(luminanceOf(bands, primaries.luminance));
+    if (!primaries.isRec709)
+    {
+      toRec709(bands, primaries);
+    }
   }
   else
   {
@@ -180,7 +223,8 @@ vtkSmartPointer<vtkImageData> readImage(const char* path)
 Size readSize(const char* path)
 {
   checkFile(path);
-  return sizeOf(Imf::InputFile(path).header());
+  const Imf::MultiPartInputFile parts(path);
+  return sizeOf(parts.header(findPart(parts)));
 }
 
 /** Run a step of reading; false and one message if it fails. */

@@ -12,10 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "TemporaryFile.h"
+#include "image/ImageFile.h"
 #include "image/LuminancePlanes.h"
 #include "vtkDataArray.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -76,30 +75,15 @@ int vtkKalosEXRWriter::FillInputPortInformation(int, vtkInformation* info)
 
 void vtkKalosEXRWriter::WriteData()
 {
-  if (!this->FileName || !*this->FileName)
+  vtkImageData* image = vtkImageData::SafeDownCast(this->GetInput());
+  const auto write = [&](const std::string& path, const std::vector<kalos::Plane>& planes) {
+    writeFile(path, image, planes);
+  };
+  const kalos::ImageFileError error = kalos::writeImageFile(this->FileName, ".exr", image, write);
+  if (!error.message.empty())
   {
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro("image: FileName: not set; expected the path of an .exr file");
-    return;
-  }
-  try
-  {
-    vtkImageData* image = vtkImageData::SafeDownCast(this->GetInput());
-    const std::vector<Plane> planes = kalos::makePlanes(image);
-    const kalos::TemporaryFile temporary(this->FileName);
-    writeFile(temporary.Path(), image, planes);
-    temporary.MoveIntoPlace();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
-    vtkErrorMacro(<< this->FileName << ": " << error.what());
-  }
-  catch (const std::exception&)
-  {
-    // OpenEXR's text names the temporary file, which helps nobody.
-    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
-    vtkErrorMacro(<< this->FileName << ": file: cannot be written; expected a writable folder with room on the disk");
+    this->SetErrorCode(error.code);
+    vtkErrorMacro(<< error.message);
   }
 }
 

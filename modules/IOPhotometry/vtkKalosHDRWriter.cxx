@@ -8,9 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "TemporaryFile.h"
+#include "image/ImageFile.h"
 #include "image/LuminancePlanes.h"
-#include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -101,33 +100,19 @@ int vtkKalosHDRWriter::FillInputPortInformation(int, vtkInformation* info)
 
 void vtkKalosHDRWriter::WriteData()
 {
-  if (!this->FileName || !*this->FileName)
-  {
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro("image: FileName: not set; expected the path of an .hdr file");
-    return;
-  }
-  try
-  {
+  vtkImageData* image = vtkImageData::SafeDownCast(this->GetInput());
+  const auto write = [&](const std::string& path, const std::vector<kalos::Plane>& planes) {
     if (this->View.find_first_of("\r\n") != std::string::npos)
     {
       throw std::invalid_argument("View: more than one line; expected view options of Radiance");
     }
-    vtkImageData* image = vtkImageData::SafeDownCast(this->GetInput());
-    const std::vector<kalos::Plane> planes = kalos::makePlanes(image);
-    const kalos::TemporaryFile temporary(this->FileName);
-    writeFile(temporary.Path(), image->GetDimensions(), planes, this->View);
-    temporary.MoveIntoPlace();
-  }
-  catch (const std::invalid_argument& error)
+    writeFile(path, image->GetDimensions(), planes, this->View);
+  };
+  const kalos::ImageFileError error = kalos::writeImageFile(this->FileName, ".hdr", image, write);
+  if (!error.message.empty())
   {
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
-    vtkErrorMacro(<< this->FileName << ": " << error.what());
-  }
-  catch (const std::exception&)
-  {
-    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
-    vtkErrorMacro(<< this->FileName << ": file: cannot be written; expected a writable folder with room on the disk");
+    this->SetErrorCode(error.code);
+    vtkErrorMacro(<< error.message);
   }
 }
 

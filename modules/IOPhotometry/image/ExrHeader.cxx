@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExrHeader.h"
 
+#include <OpenEXR/ImfCompression.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -44,6 +46,15 @@ std::string checkSize(const std::string& name, std::istream& file, double mostPi
     if (width * std::max(height, LinesAtOnce) > MostPixelsPerByte * fileBytes)
     {
       return "more pixels than the file can hold; expected a complete OpenEXR image";
+    }
+  }
+  if (name == "compression")
+  {
+    const int method = file.get();
+    if (method >= Imf::NUM_COMPRESSION_METHODS)
+    {
+      return "the compression of number " + std::to_string(method) +
+             " is newer than this OpenEXR; expected a file written with ZIP, PIZ, PXR24, B44, DWA or none";
     }
   }
   if (name == "tiles")
