@@ -17,11 +17,15 @@
 #include "scene/SceneMaterials.h"
 #include "scene/SceneReceivers.h"
 #include "scene/SceneSurfaces.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkKalosArrayNames.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 struct vtkKalosSceneReader::Internals
@@ -67,7 +71,7 @@ std::string readText(const std::string& path)
 }
 
 /** The scene file's text, or for a model the scene that holds nothing but it. */
-nlohmann::json readJson(const std::string& path)
+nlohmann::json readJson(const std::string& path, double unit, const std::string& up)
 {
   if (!isModelFile(path))
   {
@@ -78,12 +82,42 @@ nlohmann::json readJson(const std::string& path)
   {
     throw InputError("file", "no such file; expected a scene or model file");
   }
-  return {{"kalos", 1}, {"surfaces", {{{"file", std::filesystem::path(path).filename().string()}}}}};
+  nlohmann::json model{{"file", std::filesystem::path(path).filename().string()}};
+  if (unit != 1.0)
+  {
+    model["scale"] = unit;
+  }
+  if (!up.empty())
+  {
+    model["up"] = up;
+  }
+  return {{"kalos", 1}, {"surfaces", nlohmann::json::array({model})}};
 }
 
-Scene readScene(const std::string& path)
+/** Without light every value is 0, which an estimate without error bar says as well. */
+void tellDarkness(const Scene& scene, Notes& notes)
 {
-  const nlohmann::json json = readJson(path);
+  vtkDataArray* flux = scene.luminaires->GetPointData()->GetArray(vtkKalosArrayNames::LuminousFlux);
+  vtkDataArray* exitance = scene.surfaces->GetCellData()->GetArray(vtkKalosArrayNames::Exitance);
+  const auto shines = [](vtkDataArray* array) {
+    for (int c = 0; array && array->GetNumberOfTuples() > 0 && c < array->GetNumberOfComponents(); ++c)
+    {
+      if (array->GetRange(c)[1] > 0.0)
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  if (!shines(flux) && !shines(exitance))
+  {
+    notes.push_back({"light", "none", "no luminaire has a flux and no surface an exitance: every value is 0"});
+  }
+}
+
+Scene readScene(const std::string& path, double unit, const std::string& up)
+{
+  const nlohmann::json json = readJson(path, unit, up);
   const JsonCursor root(json, "scene");
   root.checkKeys({"kalos", "materials", "surfaces", "luminaires", "receivers", "cameras"});
   root.at("kalos").integer(1, 1);
@@ -103,6 +137,7 @@ Scene readScene(const std::string& path)
   scene.luminaires =
       readLuminaires(root, folder, surfaces.lights, litBall(scene.surfaces, scene.receivers), surfaces.approximations);
   addLightNotes(surfaces.lights, surfaces.approximations);
+  tellDarkness(scene, surfaces.approximations);
   putNotes(surfaces.approximations, scene.surfaces);
 
   if (surfaces.all.empty() && scene.luminaires->GetNumberOfPoints() == 0)
@@ -156,7 +191,7 @@ int vtkKalosSceneReader::RequestData(vtkInformationVector* outputVector)
   }
   try
   {
-    Scene scene = readScene(this->FileName);
+    Scene scene = readScene(this->FileName, this->ModelUnit, this->ModelUp);
     vtkPolyData::GetData(outputVector, 0)->ShallowCopy(scene.surfaces);
     vtkPolyData::GetData(outputVector, 1)->ShallowCopy(scene.luminaires);
     vtkMultiBlockDataSet::GetData(outputVector, 2)->ShallowCopy(scene.receivers);
@@ -258,5 +293,7 @@ void vtkKalosSceneReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "ModelUnit: " << this->ModelUnit << " m\n";
+  os << indent << "ModelUp: " << this->ModelUp << "\n";
   os << indent << "NumberOfCameras: " << this->GetNumberOfCameras() << "\n";
 }

@@ -67,6 +67,14 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  ///@{
+  /** Of a model as FileName: metres of its unit of length (1), and its axis that is up, "y" or "z" (its format's). */
+  vtkSetMacro(ModelUnit, double);
+  vtkGetMacro(ModelUnit, double);
+  vtkSetMacro(ModelUp, std::string);
+  vtkGetMacro(ModelUp, std::string);
+  ///@}
+
   /** Whether the file is a model by its name, or looks like a Kalos scene: JSON with the key "kalos" near its start. */
   int CanReadFile(const char* path);
 
@@ -100,6 +108,8 @@ protected:
   int RequestData(vtkInformationVector* outputVector);
 
   char* FileName = nullptr;
+  double ModelUnit = 1.0;
+  std::string ModelUp;
 
 private:
   vtkKalosSceneReader(const vtkKalosSceneReader&) = delete;

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <set>
 
-#include "../base/FilePaths.h"
 #include "../base/InputError.h"
-#include "../base/Names.h"
-#include "../mesh/MeshFile.h"
 #include "../model/ModelFile.h"
+#include "SceneModels.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -48,79 +46,6 @@ Mesh readBox(const JsonCursor& node)
   return makeBox(node.at("center").vector(), size, rotation ? rotation->number() : 0.0);
 }
 
-const Material* findMaterial(const JsonCursor& surface, const Materials& materials)
-{
-  const auto node = surface.find("material");
-  if (!node)
-  {
-    return nullptr;
-  }
-  const auto found = materials.find(node->string());
-  if (found == materials.end())
-  {
-    node->failExpected("the name of one of \"materials\"");
-  }
-  return &found->second;
-}
-
-/** Where the coordinates of a file lie; without keys, glTF has y up and all others z. */
-Transform readPlace(const JsonCursor& node, const std::string& path)
-{
-  const auto scale = node.find("scale");
-  const auto up = node.find("up");
-  const std::string axis = up ? up->string() : isGltfFile(path) ? "y" : "z";
-  if (axis != "y" && axis != "z")
-  {
-    up->failExpected("\"y\" or \"z\"");
-  }
-  return uprightPlace(scale ? scale->numberAbove(0.0) : 1.0, axis == "y");
-}
-
-/** All parts of a model as one mesh. */
-Mesh join(const Model& model)
-{
-  Mesh mesh;
-  for (const ModelPart& part : model.parts)
-  {
-    const Mesh& from = part.polygons;
-    const auto firstPoint = static_cast<std::int64_t>(mesh.points.size());
-    const auto firstCorner = static_cast<std::int64_t>(mesh.corners.size());
-    const auto firstMaterial = static_cast<std::int32_t>(mesh.palette.size());
-    mesh.points.insert(mesh.points.end(), from.points.begin(), from.points.end());
-    mesh.palette.insert(mesh.palette.end(), from.palette.begin(), from.palette.end());
-    for (const std::int64_t corner : from.corners)
-    {
-      mesh.corners.push_back(firstPoint + corner);
-    }
-    for (std::size_t p = 0; p < from.numberOfPolygons(); ++p)
-    {
-      mesh.ends.push_back(firstCorner + from.ends[p]);
-      mesh.materialOf.push_back(firstMaterial + from.materialOf[p]);
-    }
-  }
-  return mesh;
-}
-
-Mesh readFile(const JsonCursor& node, const Materials& materials, const Material* material, const std::string& folder,
-              Notes& notes)
-{
-  const JsonCursor file = node.at("file");
-  const std::string path = resolvePath(folder, file.string(), notes);
-  const Transform place = readPlace(node, path);
-  if (isGltfFile(path))
-  {
-    const Model model = readModelFile(file, path, {place, &materials, material});
-    notes.insert(notes.end(), model.approximations.begin(), model.approximations.end());
-    return join(model);
-  }
-  Mesh mesh = readMeshFile(file, path, materials, material, notes);
-  for (Vector3& point : mesh.points)
-  {
-    point = place.point(point);
-  }
-  return mesh;
-}
-
 Mesh readPolygons(const JsonCursor& node, const Materials& materials, const std::string& folder, Notes& notes)
 {
   const int shapes = int(node.has("quad")) + int(node.has("box")) + int(node.has("file"));
@@ -138,7 +63,7 @@ Mesh readPolygons(const JsonCursor& node, const Materials& materials, const std:
   }
   if (node.has("file"))
   {
-    return readFile(node, materials, material, folder, notes);
+    return readSurfaceFile(node, materials, material, folder, notes);
   }
   if (!material)
   {
@@ -149,38 +74,6 @@ Mesh readPolygons(const JsonCursor& node, const Materials& materials, const std:
   mesh.palette.push_back(*material);
   std::fill(mesh.materialOf.begin(), mesh.materialOf.end(), 0);
   return mesh;
-}
-
-/** A model file whose parts are surfaces under their own names. */
-void addModel(const JsonCursor& node, const Materials& materials, const std::string& folder,
-              std::set<std::string>& names, SceneSurfaces& surfaces)
-{
-  node.checkKeys({"file", "material", "scale", "up", "lights", "cameras"});
-  const JsonCursor file = node.at("file");
-  Notes& notes = surfaces.approximations;
-  const std::string path = resolvePath(folder, file.string(), notes);
-  Model model = readModelFile(file, path, {readPlace(node, path), &materials, findMaterial(node, materials)});
-  for (ModelPart& part : model.parts)
-  {
-    const std::string name = freeName(part.name, "surface", names);
-    surfaces.all.push_back({name, node.where() + "." + name, std::move(part.polygons)});
-  }
-  const auto wanted = [&node](const char* key) { return !node.has(key) || node.at(key).boolean(); };
-  if (wanted("lights"))
-  {
-    surfaces.lights.insert(surfaces.lights.end(), model.lights.begin(), model.lights.end());
-  }
-  if (wanted("cameras"))
-  {
-    surfaces.cameras.insert(surfaces.cameras.end(), model.cameras.begin(), model.cameras.end());
-  }
-  if (!node.has("up"))
-  {
-    notes.push_back({"axes", isGltfFile(path) ? "turned from y up to z up" : "as in the file, z up",
-                     "\"up\" and \"scale\" beside \"file\" in a scene file change it"});
-  }
-  notes.insert(notes.end(), model.approximations.begin(), model.approximations.end());
-  surfaces.hasModel = true;
 }
 
 std::size_t numberOfBands(const std::vector<Surface>& surfaces)
