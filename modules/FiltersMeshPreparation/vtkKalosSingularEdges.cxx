@@ -6,18 +6,17 @@
 #include <limits>
 
 #include "MeshConversion.h"
+#include "ReceiverDistances.h"
 #include "ReportTable.h"
-#include "singular/EdgeDistance.h"
-#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkKalosArrayNames.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -30,14 +29,6 @@
 
 namespace
 {
-constexpr double DegreesPerRadian = 180.0 / 3.14159265358979323846;
-constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
-
-double degrees(double radians)
-{
-  return std::isfinite(radians) ? DegreesPerRadian * radians : NotANumber;
-}
-
 void fillCurves(const kalos::meshing::Curves& curves, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -61,8 +52,8 @@ void fillCurves(const kalos::meshing::Curves& curves, vtkPolyData* output)
       lines->InsertCellPoint(curves.indices[i]);
     }
     kind->InsertNextValue(static_cast<int>(curve.edge.kind));
-    front->InsertNextValue(degrees(curve.edge.front));
-    back->InsertNextValue(degrees(curve.edge.back));
+    front->InsertNextValue(kalos::toDegrees(curve.edge.front));
+    back->InsertNextValue(kalos::toDegrees(curve.edge.back));
     severity->InsertNextValue(curve.edge.severity);
   }
   output->SetPoints(points);
@@ -73,103 +64,6 @@ void fillCurves(const kalos::meshing::Curves& curves, vtkPolyData* output)
     output->GetCellData()->AddArray(array);
   }
   output->GetCellData()->SetActiveScalars(vtkKalosSingularEdges::SeverityArrayName());
-}
-
-/** The curves at which the kernel is singular. */
-kalos::meshing::Curves severe(const kalos::meshing::Curves& curves)
-{
-  kalos::meshing::Curves severe;
-  severe.points = curves.points;
-  severe.indices = curves.indices;
-  std::copy_if(curves.curves.begin(), curves.curves.end(), std::back_inserter(severe.curves),
-               [](const kalos::meshing::Curve& c) { return c.edge.severity > 0.0; });
-  return severe;
-}
-
-/** Attach distance and angle to a data set's points, or to its cells where only these have normals. */
-void attachDistances(const kalos::meshing::EdgeDistance& tree, const kalos::meshing::Curves& curves, bool bothSides,
-                     vtkDataSet* receivers)
-{
-  const bool cells = !receivers->GetPointData()->GetNormals() && receivers->GetCellData()->GetNormals();
-  const vtkIdType count = cells ? receivers->GetNumberOfCells() : receivers->GetNumberOfPoints();
-  vtkNew<vtkDoubleArray> distance, angle;
-  distance->SetName(vtkKalosSingularEdges::EdgeDistanceArrayName());
-  angle->SetName(vtkKalosSingularEdges::EdgeAngleArrayName());
-  distance->SetNumberOfTuples(count);
-  angle->SetNumberOfTuples(count);
-  std::vector<double> weights(static_cast<std::size_t>(std::max(1, receivers->GetMaxCellSize())));
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    kalos::meshing::Point place{0, 0, 0};
-    if (cells)
-    {
-      vtkCell* cell = receivers->GetCell(i);
-      double centre[3];
-      int part = cell->GetParametricCenter(centre);
-      cell->EvaluateLocation(part, centre, place.data(), weights.data());
-    }
-    else
-    {
-      receivers->GetPoint(i, place.data());
-    }
-    const auto nearest = tree.nearest(place);
-    distance->SetValue(i, nearest.distance);
-    if (std::isfinite(nearest.distance))
-    {
-      const auto& edge = curves.curves[nearest.curve].edge;
-      angle->SetValue(i, degrees(bothSides ? std::min(edge.front, edge.back) : edge.front));
-    }
-    else
-    {
-      angle->SetValue(i, NotANumber);
-    }
-  }
-  vtkDataSetAttributes* data = cells ? static_cast<vtkDataSetAttributes*>(receivers->GetCellData())
-                                     : static_cast<vtkDataSetAttributes*>(receivers->GetPointData());
-  data->AddArray(distance);
-  data->AddArray(angle);
-}
-
-/** A copy with data sets of its own, so that arrays added to them do not show in the input. */
-void copyReceivers(vtkDataObject* input, vtkDataObject* output)
-{
-  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(input);
-  if (!blocks)
-  {
-    output->ShallowCopy(input);
-    return;
-  }
-  auto* copies = vtkMultiBlockDataSet::SafeDownCast(output);
-  copies->CopyStructure(blocks);
-  auto items = vtk::TakeSmartPointer(blocks->NewIterator());
-  for (items->InitTraversal(); !items->IsDoneWithTraversal(); items->GoToNextItem())
-  {
-    auto leaf = vtk::TakeSmartPointer(items->GetCurrentDataObject()->NewInstance());
-    leaf->ShallowCopy(items->GetCurrentDataObject());
-    copies->SetDataSet(items, leaf);
-  }
-  copies->GetFieldData()->PassData(blocks->GetFieldData());
-}
-
-void attachAllDistances(const kalos::meshing::Curves& all, bool bothSides, vtkDataObject* receivers)
-{
-  const kalos::meshing::Curves curves = severe(all);
-  const kalos::meshing::EdgeDistance tree(curves);
-  if (auto* leaf = vtkDataSet::SafeDownCast(receivers))
-  {
-    attachDistances(tree, curves, bothSides, leaf);
-  }
-  else if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(receivers))
-  {
-    auto items = vtk::TakeSmartPointer(blocks->NewIterator());
-    for (items->InitTraversal(); !items->IsDoneWithTraversal(); items->GoToNextItem())
-    {
-      if (auto* block = vtkDataSet::SafeDownCast(items->GetCurrentDataObject()))
-      {
-        attachDistances(tree, curves, bothSides, block);
-      }
-    }
-  }
 }
 
 void fillReport(const kalos::ConvertedMesh& input, const kalos::meshing::EdgeReport& counts, vtkTable* table)
@@ -283,7 +177,7 @@ int vtkKalosSingularEdges::RequestData(vtkInformation*, vtkInformationVector** i
     const kalos::ConvertedMesh input = kalos::convertMesh(vtkPolyData::GetData(inputs[0]));
     kalos::meshing::EdgeSettings settings;
     settings.tolerance = this->Tolerance;
-    settings.flat = this->FlatAngle / DegreesPerRadian;
+    settings.flat = vtkMath::RadiansFromDegrees(this->FlatAngle);
     settings.bothSides = this->BothSides;
     settings.wanted = {this->ConcaveEdges, this->ConvexEdges,      this->CoplanarEdges,
                        this->BorderEdges,  this->NonManifoldEdges, this->ContactEdges};
@@ -291,8 +185,8 @@ int vtkKalosSingularEdges::RequestData(vtkInformation*, vtkInformationVector** i
         kalos::meshing::findSingularEdges(input.mesh, settings, kalos::progressOf(this, this->TimeLimit));
     if (vtkDataObject* receivers = vtkDataObject::GetData(inputs[1]))
     {
-      copyReceivers(receivers, receiversOutput);
-      attachAllDistances(curves, this->BothSides, receiversOutput);
+      kalos::copyReceivers(receivers, receiversOutput);
+      kalos::attachAllDistances(curves, this->BothSides, receiversOutput);
     }
     fillCurves(curves, curvesOutput);
     fillReport(input, curves.report, table);

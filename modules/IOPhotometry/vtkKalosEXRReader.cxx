@@ -124,33 +124,6 @@ void multiply(vtkFloatArray* array, float factor)
   }
 }
 
-void toRec709(vtkFloatArray* bands, const kalos::ExrPrimaries& primaries)
-{
-  for (vtkIdType i = 0; i < bands->GetNumberOfTuples(); ++i)
-  {
-    float* rgb = bands->GetPointer(3 * i);
-    const double own[3] = {rgb[0], rgb[1], rgb[2]};
-    for (int c = 0; c < 3; ++c)
-    {
-      const double* row = primaries.toRec709[c];
-      rgb[c] = static_cast<float>(row[0] * own[0] + row[1] * own[1] + row[2] * own[2]);
-    }
-  }
-}
-
-vtkSmartPointer<vtkFloatArray> luminanceOf(vtkFloatArray* bands, const double weights[3])
-{
-  auto luminance = vtkSmartPointer<vtkFloatArray>::New();
-  luminance->SetName(vtkKalosArrayNames::Luminance);
-  luminance->SetNumberOfTuples(bands->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < bands->GetNumberOfTuples(); ++i)
-  {
-    const float* rgb = bands->GetPointer(3 * i);
-    luminance->SetValue(i, static_cast<float>(weights[0] * rgb[0] + weights[1] * rgb[1] + weights[2] * rgb[2]));
-  }
-  return luminance;
-}
-
 bool hasRgb(const Imf::Header& header)
 {
   return hasChannel(header, "R") && hasChannel(header, "G") && hasChannel(header, "B");
@@ -202,10 +175,10 @@ vtkSmartPointer<vtkImageData> readImage(const char* path)
   {
     const kalos::ExrPrimaries primaries = kalos::primariesOf(header);
     const auto bands = add(LuminanceBands, {"R", "G", "B"});
-    data->AddArray(luminanceOf(bands, primaries.luminance));
+    data->AddArray(kalos::luminanceOf(bands, primaries));
     if (!primaries.isRec709)
     {
-      toRec709(bands, primaries);
+      kalos::toRec709(bands, primaries);
     }
   }
   else

@@ -7,7 +7,8 @@ import struct
 
 import numpy as np
 import pytest
-from helpers import minimal_scene, write_scene
+from helpers import minimal_scene, update_error, write_scene
+from kalos.vtk import vtkKalosMeshReader
 from models import cells, read, reasons
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -29,6 +30,18 @@ def area(reader):
     total = 0
     for i in range(reader.GetSurfaces().GetNumberOfCells()):
         p = vtk_to_numpy(reader.GetSurfaces().GetCell(i).GetPoints().GetData())
+        total += np.cross(p[1:-1] - p[0], p[2:] - p[0]).sum(axis=0)[2] / 2
+    return total
+
+
+def loose_area(path):
+    """By the reader for repair, which has the same eyes."""
+    reader = vtkKalosMeshReader()
+    reader.SetFileName(str(path))
+    assert update_error(reader) is None
+    mesh, total = reader.GetOutput(), 0
+    for i in range(mesh.GetNumberOfCells()):
+        p = vtk_to_numpy(mesh.GetCell(i).GetPoints().GetData())
         total += np.cross(p[1:-1] - p[0], p[2:] - p[0]).sum(axis=0)[2] / 2
     return total
 
@@ -74,6 +87,7 @@ def test_obj(tmp_path, obj, mtl, reflectance, told):
     (tmp_path / "a.obj").write_bytes(obj.encode())
     (tmp_path / "a.mtl").write_bytes(mtl.encode())
     check(read(tmp_path / "a.obj"), reflectance, told)
+    assert loose_area(tmp_path / "a.obj") == pytest.approx(1)
 
 
 @pytest.mark.parametrize("name, content, told", [
@@ -101,6 +115,7 @@ def test_other_meshes(tmp_path, name, content, told):
     scene = minimal_scene()
     scene["surfaces"] = [{"name": "mesh", "file": name, "material": "white"}]
     check(read(write_scene(tmp_path, scene)), 0.7, told)
+    assert loose_area(tmp_path / name) == pytest.approx(1)
 
 
 def test_a_table_of_receivers_with_a_mark(tmp_path):
@@ -119,3 +134,30 @@ def test_an_emissive_texture(tmp_path):
     for lines, luminance in (("Ke 100 100 100\nmap_Ke a.png\n", 50), ("map_Ke a.png\n", 0.5)):
         (tmp_path / "a.mtl").write_text(MTL + lines)
         np.testing.assert_allclose(cells(read(tmp_path / "a.obj"), "Exitance"), np.pi * luminance)
+
+
+def test_the_reader_for_repair_passes_over_more(tmp_path):
+    (tmp_path / "a.obj").write_text(OBJ + "surf 0 1 0 1 1 2 3 4\nmystery 1\n")
+    reader = vtkKalosMeshReader()
+    reader.SetFileName(str(tmp_path / "a.obj"))
+    assert update_error(reader) is None
+    notes = reader.GetOutput().GetFieldData().GetAbstractArray("SceneNotes")
+    assert [notes.GetValue(i) for i in range(0, notes.GetNumberOfValues(), 3)] == ["curved surfaces", "unknown statements"]
+
+
+@pytest.mark.parametrize("name, content, message", [
+    (None, None, "mesh: FileName: not set; expected the path of a mesh file"),
+    ("a.dwg", "x", "a.dwg: name: unknown format '.dwg'; expected .obj, .ply, .stl, .off, .vtp, .gltf or .glb"),
+    ("a.obj", None, "a.obj: file: is not there; expected a mesh file"),
+    ("a.obj", "v 0 0 0\n", "a.obj: file: no polygons; expected at least one"),
+    ("a.obj", "v 0 0 0\nf 1 2 3\n", "a.obj: line 2: a face corner '2'; expected a vertex number from 1 to 1"),
+    ("a.ply", PLY.replace("4 0 1 2 3", "4 0 1 2 9"), "a.ply: face 1: a corner is point 9; expected one of the 4 points"),
+])
+def test_what_the_reader_for_repair_refuses(tmp_path, name, content, message):
+    if content is not None:
+        (tmp_path / name).write_text(content)
+    reader = vtkKalosMeshReader()
+    if name:
+        reader.SetFileName(str(tmp_path / name))
+    assert update_error(reader).replace(f"{tmp_path}/", "").startswith(message)
+    assert reader.GetOutput().GetNumberOfCells() == 0

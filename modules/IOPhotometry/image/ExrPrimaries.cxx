@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "vtkKalosArrayNames.h"
+
 namespace kalos
 {
 namespace
@@ -35,5 +37,33 @@ ExrPrimaries primariesOf(const Imf::Header& header)
     primaries.luminance[c] = toXyz[c][1];
   }
   return primaries;
+}
+
+void toRec709(vtkFloatArray* bands, const ExrPrimaries& primaries)
+{
+  for (vtkIdType i = 0; i < bands->GetNumberOfTuples(); ++i)
+  {
+    float* rgb = bands->GetPointer(3 * i);
+    const double own[3] = {rgb[0], rgb[1], rgb[2]};
+    for (int c = 0; c < 3; ++c)
+    {
+      const double* row = primaries.toRec709[c];
+      rgb[c] = static_cast<float>(row[0] * own[0] + row[1] * own[1] + row[2] * own[2]);
+    }
+  }
+}
+
+vtkSmartPointer<vtkFloatArray> luminanceOf(vtkFloatArray* bands, const ExrPrimaries& primaries)
+{
+  auto luminance = vtkSmartPointer<vtkFloatArray>::New();
+  luminance->SetName(vtkKalosArrayNames::Luminance);
+  luminance->SetNumberOfTuples(bands->GetNumberOfTuples());
+  const double* weights = primaries.luminance;
+  for (vtkIdType i = 0; i < bands->GetNumberOfTuples(); ++i)
+  {
+    const float* rgb = bands->GetPointer(3 * i);
+    luminance->SetValue(i, static_cast<float>(weights[0] * rgb[0] + weights[1] * rgb[1] + weights[2] * rgb[2]));
+  }
+  return luminance;
 }
 }  // namespace kalos

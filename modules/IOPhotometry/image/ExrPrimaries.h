@@ -5,6 +5,9 @@
 
 #include <OpenEXR/ImfHeader.h>
 
+#include "vtkFloatArray.h"
+#include "vtkSmartPointer.h"
+
 namespace kalos
 {
 /** By the attribute chromaticities, Rec. 709 without it. */
@@ -16,6 +19,12 @@ struct ExrPrimaries
 };
 
 ExrPrimaries primariesOf(const Imf::Header& header);
+
+/** Colours in these primaries, three components, become linear Rec. 709. */
+void toRec709(vtkFloatArray* bands, const ExrPrimaries& primaries);
+
+/** The array Luminance of colours in these primaries. */
+vtkSmartPointer<vtkFloatArray> luminanceOf(vtkFloatArray* bands, const ExrPrimaries& primaries);
 }  // namespace kalos
 
 #endif
