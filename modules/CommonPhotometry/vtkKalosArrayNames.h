@@ -31,8 +31,8 @@ constexpr const char* Distribution =
 constexpr const char* SideU = "SideU";  ///< full side of a luminous rectangle, m, 3 components; zero for a point
 constexpr const char* SideV = "SideV";  ///< the other side, m
 constexpr const char* LuminaireNames = "LuminaireNames";  ///< point data, strings
-/// Point data, strings: the luminaire's candela table as vtkKalosCandelaText.h writes it, empty without one. It goes
-/// before the tables of the field data, which appending luminaires mixes up.
+/// Point data, strings: the luminaire's candela table as vtkKalosCandelaText.h writes it, empty without one. It has
+/// priority over the tables of the field data, which filters that append luminaires mix up.
 constexpr const char* CandelaTables = "CandelaTables";
 /// Field data, one array per candela table, its index appended: tuples (plane deg, angle from the pole deg, cd) sorted
 /// by plane, then angle. Distribution 2 + k is the table "CandelaTable" + k.

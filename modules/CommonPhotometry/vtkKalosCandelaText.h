@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Candela tables as text, for the point array CandelaTables: field data of several inputs has one array of a name, and
- * so only one table would arrive behind vtkAppendPolyData and its kind; point data arrives whole.
+ * Candela tables as text, for the point array CandelaTables. Filters such as vtkAppendPolyData keep one field data
+ * array of each name, so only one of several tables would survive there; point data is appended completely.
  */
 #ifndef vtkKalosCandelaText_h
 #define vtkKalosCandelaText_h

@@ -59,6 +59,24 @@ void addVector(vtkPointData* data, const char* name, const double v[3])
   array->InsertNextTuple(v);
   data->AddArray(array);
 }
+/** The candela table, which may be null, in the point data and in the field data. */
+void addTables(vtkPolyData* output, vtkDoubleArray* tuples, bool sidePole)
+{
+  vtkNew<vtkStringArray> texts;
+  texts->SetName(vtkKalosArrayNames::CandelaTables);
+  texts->InsertNextValue(tuples ? vtkKalosCandelaText::Write(tuples, sidePole) : std::string());
+  output->GetPointData()->AddArray(texts);
+  if (!tuples)
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> table;
+  table->ShallowCopy(tuples);
+  setFieldArray(output, table, (std::string(vtkKalosArrayNames::CandelaTable) + "0").c_str());
+  vtkNew<vtkIntArray> poles;
+  poles->InsertNextValue(sidePole ? 1 : 0);
+  setFieldArray(output, poles, vtkKalosArrayNames::CandelaPoles);
+}
 }  // namespace
 
 vtkStandardNewMacro(vtkKalosLuminaireSource);
@@ -178,19 +196,7 @@ int vtkKalosLuminaireSource::RequestData(vtkInformation*, vtkInformationVector**
   names->SetName(vtkKalosArrayNames::LuminaireNames);
   names->InsertNextValue(this->Name);
   data->AddArray(names);
-  vtkNew<vtkStringArray> tables;
-  tables->SetName(vtkKalosArrayNames::CandelaTables);
-  tables->InsertNextValue(measured ? vtkKalosCandelaText::Write(this->CandelaTable, this->SidePole) : std::string());
-  data->AddArray(tables);
-  if (measured)
-  {
-    vtkNew<vtkDoubleArray> table;
-    table->ShallowCopy(this->CandelaTable);
-    setFieldArray(output, table, (std::string(vtkKalosArrayNames::CandelaTable) + "0").c_str());
-    vtkNew<vtkIntArray> poles;
-    poles->InsertNextValue(this->SidePole ? 1 : 0);
-    setFieldArray(output, poles, vtkKalosArrayNames::CandelaPoles);
-  }
+  addTables(output, measured ? this->CandelaTable.Get() : nullptr, this->SidePole);
   return 1;
 }
 

@@ -43,7 +43,7 @@ meshing::Progress progressOf(vtkAlgorithm* algorithm, double seconds = 0.0);
 /** Throws std::invalid_argument unless it is 0 or more seconds. */
 void checkTimeLimit(double seconds);
 
-/** Does the work; what it throws empties the outputs and becomes an error event, but for an abort. Returns VTK's 1 or
+/** Runs `work`; an exception empties the outputs and becomes an error event, except after an abort. Returns VTK's 1 or
  * 0. */
 int guarded(vtkAlgorithm* algorithm, std::initializer_list<vtkDataObject*> outputs, const std::function<void()>& work);
 }  // namespace kalos

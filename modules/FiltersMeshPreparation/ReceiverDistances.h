@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** How far receivers are from the edges at which the kernel is singular. */
+/** Distances of receivers from the edges where the kernel is singular. */
 #ifndef KalosReceiverDistances_h
 #define KalosReceiverDistances_h
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Edge lengths that resolve a previous result. */
+/** Edge lengths adapted to a previous result. */
 #ifndef KalosResultLengths_h
 #define KalosResultLengths_h
 

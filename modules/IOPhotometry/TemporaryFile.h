@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** A name beside a file's place to write under; removed unless moved into place. */
+/** A temporary file beside the target; removed unless it is moved into place. */
 #ifndef KalosTemporaryFile_h
 #define KalosTemporaryFile_h
 

@@ -94,7 +94,7 @@ nlohmann::json readJson(const std::string& path, double unit, const std::string&
   return {{"kalos", 1}, {"surfaces", nlohmann::json::array({model})}};
 }
 
-/** Without light every value is 0, which an estimate without error bar says as well. */
+/** Without light every value is 0; say so, because the results alone look like an estimate. */
 void tellDarkness(const Scene& scene, Notes& notes)
 {
   vtkDataArray* flux = scene.luminaires->GetPointData()->GetArray(vtkKalosArrayNames::LuminousFlux);

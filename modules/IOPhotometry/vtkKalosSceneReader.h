@@ -8,9 +8,9 @@
  *
  * - kalos: 1, the version of the format
  * - materials: NAME: reflectance (number or one a band, [0,1)); specular and roughness; mirror; exitance (lm/m²)
- * - surfaces: name, material, and quad {origin, u, v}, box {center, size, rotation_z_deg} or file (obj, ply, stl, vtp,
- *   gltf, glb) with scale (to metres) and up ("y" or "z"). A gltf, glb or obj without name is a model: its parts are
- *   surfaces under their own names, and its lights and cameras join the scene unless the keys lights or cameras are
+ * - surfaces: name, material, and quad {origin, u, v}, box {center, size, rotation_z_deg} or file (obj, ply, stl, off,
+ *   vtp, gltf, glb) with scale (to metres) and up ("y" or "z"). A gltf, glb or obj without name is a model: its parts
+ * are surfaces under their own names, and its lights and cameras join the scene unless the keys lights or cameras are
  *   false.
  * - luminaires: name, flux (lm), aim, rotation_deg, and position with distribution (isotropic, lambertian) or rectangle
  *   {center, u, v}; or position, aim and a photometric file (.ies, .ldt), with lamp_set and flux if wanted
@@ -20,12 +20,16 @@
  *
  * A model as FileName is read as a scene file with nothing but the model in "surfaces". Without "receivers", a model
  * gets a plane 0.75 m above its floor, see scene/WorkPlane.h. A material, luminaire or camera of the scene file
- * replaces the one of that name in a model. From a glTF come the default scene with all nodes and instances,
- * metallic-roughness materials with KHR_materials_emissive_strength, lights of KHR_lights_punctual (cd, lx) and
- * perspective cameras; y up is turned to z up. From an OBJ come objects and the materials of its libraries; it is taken
- * as metres with z up. What is approximated (mean colours of textures, far points for parallel light, ...) stands in
- * the field data array SceneNotes of port 0; the rules are in material/MetallicRoughness.h, model/ModelLuminaire.h and
- * material/MtlFile.h.
+ * replaces the one of that name in a model. ModelUnit and ModelUp say what the file does not.
+ *
+ * From a glTF come the default scene with all visible nodes and instances, metallic-roughness and specular-glossiness
+ * materials with vertex colours (COLOR_0) and KHR_materials_emissive_strength (on both sides if doubleSided), lights of
+ * KHR_lights_punctual (cd, lx) and perspective cameras; y up is turned to z up. From an OBJ come objects and the
+ * materials of its libraries; without "scale" and "up" it is in metres with z up.
+ *
+ * What is approximated or left out (mean colours of textures, degenerate faces, extensions, ...) stands with its count
+ * in the field data array SceneNotes of port 0; the rules are in material/MetallicRoughness.h, model/ModelLuminaire.h
+ * and material/MtlFile.h. A file is refused where a value would be wrong, and read with a note where it would not.
  *
  * Output ports:
  * - 0, vtkPolyData: all surfaces; polygons with the cell arrays of vtkKalosArrayNames.h, SurfaceId and SurfaceNames.

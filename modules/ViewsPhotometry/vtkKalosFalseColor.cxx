@@ -143,6 +143,12 @@ std::string defaultName(const std::vector<vtkDataSet*>& leaves)
   }
   return {};
 }
+
+bool isRange(const double range[2], bool logarithmic)
+{
+  const bool finite = std::isfinite(range[0]) && std::isfinite(range[1]);
+  return finite && range[0] < range[1] && (!logarithmic || range[0] > 0.0);
+}
 }  // namespace
 
 vtkStandardNewMacro(vtkKalosFalseColor);
@@ -213,8 +219,7 @@ int vtkKalosFalseColor::RequestData(vtkInformation*, vtkInformationVector** inpu
   if (!this->AutomaticRange)
   {
     std::copy(this->Range, this->Range + 2, range);
-    const bool finite = std::isfinite(range[0]) && std::isfinite(range[1]);
-    if (!finite || !(range[0] < range[1]) || (logarithmic && !(range[0] > 0.0)))
+    if (!isRange(range, logarithmic))
     {
       vtkErrorMacro("the range is " << range[0] << " to " << range[1]
                                     << "; expected two finite numbers, the second larger"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Numbers out of the bytes of a file, whatever the order of the machine's own. */
+/** Reads numbers from the bytes of a file in the given byte order, on any machine. */
 #ifndef KalosByteOrder_h
 #define KalosByteOrder_h
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Cameras, and where an eye looks, as scenes and models give them. */
+/** Cameras and lines of sight of scenes and models. */
 #ifndef KalosCamera_h
 #define KalosCamera_h
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Collects the error events of a VTK algorithm and its executive, so that they become our one-line message. */
+/** Collects the error events of a VTK algorithm and its executive and turns them into one line. */
 #ifndef KalosErrorCatcher_h
 #define KalosErrorCatcher_h
 
@@ -15,7 +15,7 @@ namespace kalos::scene
 class ErrorCatcher
 {
 public:
-  /** Warnings count as errors, or with `tolerant` are kept off the screen only. */
+  /** Warnings count as errors; with `tolerant` they are only kept off the screen. */
   explicit ErrorCatcher(vtkAlgorithm* algorithm, bool tolerant = false)
   {
     this->Observer->tolerant = tolerant;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** What went wrong in an input file: thrown while reading, caught once, in the reader's RequestData. */
+/** An error in an input file, thrown while reading and caught once, in the reader's RequestData. */
 #ifndef KalosInputError_h
 #define KalosInputError_h
 
@@ -9,7 +9,7 @@
 
 namespace kalos::scene
 {
-/** Line breaks and other control characters, as names may hold, become question marks. */
+/** Replaces line breaks and other control characters by question marks. */
 inline std::string oneLine(std::string text)
 {
   std::replace_if(
@@ -17,7 +17,7 @@ inline std::string oneLine(std::string text)
   return text;
 }
 
-/** Bytes of a damaged file, fit for a message: at most 40, those that are not ASCII as question marks. */
+/** Makes bytes of a damaged file printable: at most 40, with question marks for those that are not ASCII. */
 inline std::string quotable(std::string text)
 {
   text = text.substr(0, 40);
@@ -26,7 +26,7 @@ inline std::string quotable(std::string text)
   return text;
 }
 
-/** The message is `FILE: WHERE: what is wrong and what is expected`; FILE is filled in by whoever knows it. */
+/** The message is `FILE: WHERE: what is wrong and what is expected`; the caller that knows FILE fills it in. */
 class InputError : public std::runtime_error
 {
 public:

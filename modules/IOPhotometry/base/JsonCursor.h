@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * JSON with the place kept: every value knows its path (`materials.white.reflectance`), every request for a value says
- * what it expects, and a value that does not fit throws a InputError with both.
+ * A position in a JSON document. It knows its path (`materials.white.reflectance`); asking for a value of another type
+ * or range throws an InputError that names the path and what is expected.
  */
 #ifndef KalosJsonCursor_h
 #define KalosJsonCursor_h
@@ -27,7 +27,7 @@ nlohmann::json parseJson(const std::string& text);
 class JsonCursor
 {
 public:
-  /** `json` must outlive the node. */
+  /** `json` must outlive the cursor. */
   JsonCursor(const nlohmann::json& json, std::string where) : Json(&json), Place(std::move(where)) {}
 
   const std::string& where() const { return this->Place; }
@@ -35,7 +35,7 @@ public:
   /** Fail with "VALUE found; expected ...". */
   [[noreturn]] void failExpected(const std::string& expected) const;
 
-  /** Be an object with no other keys than these. */
+  /** Checks that this is an object with no other keys than these. */
   void checkKeys(std::initializer_list<const char*> keys) const;
   bool has(const char* key) const;
   JsonCursor at(const char* key) const;
@@ -60,7 +60,7 @@ public:
   std::vector<JsonCursor> items() const;
   /** The members of an object. */
   std::vector<std::pair<std::string, JsonCursor>> members() const;
-  /** The member "name": unique is checked by the caller, usable as a file name is checked here. */
+  /** The member "name", checked to be usable as a file name; the caller checks that it is unique. */
   std::string name() const;
 
 private:

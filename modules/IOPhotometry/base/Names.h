@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Names that results can be called by, out of those of a model, which may be anything. */
+/** Turns names of a model, which may be anything, into names for results. */
 #ifndef KalosNames_h
 #define KalosNames_h
 

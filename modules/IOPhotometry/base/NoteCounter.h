@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Notes that many things of a file share: counted, with the names of the first. */
+/** Counts notes that are the same for several objects of a file, and keeps the first names. */
 #ifndef KalosNoteCounter_h
 #define KalosNoteCounter_h
 
@@ -16,7 +16,7 @@ namespace kalos::scene
 class NoteCounter
 {
 public:
-  /** The counts are added to `notes` when the tally ends. */
+  /** The destructor adds the counts to `notes`. */
   explicit NoteCounter(Notes& notes) : Found(notes) {}
   NoteCounter(const NoteCounter&) = delete;
   void operator=(const NoteCounter&) = delete;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** What a scene reader chose or approximated, in the manner of an audit: part of the audit of every solve. */
+/** What a reader chose or approximated. It becomes part of the audit of every solve. */
 #ifndef KalosNotes_h
 #define KalosNotes_h
 

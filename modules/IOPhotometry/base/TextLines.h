@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The lines of a text file and the words of a line, with the line's number for messages. A mark of UTF-8 at the start
- * and carriage returns do not show. Numbers are read without regard to the user's locale.
+ * The lines of a text file and the words of a line, with the line's number for messages. A UTF-8 byte order
+ * mark and carriage returns are removed. Numbers do not depend on the locale.
  */
 #ifndef KalosTextLines_h
 #define KalosTextLines_h
@@ -20,18 +20,18 @@ public:
 
   /** The next word, empty at the end. */
   std::string_view next();
-  /** All that is left, without blanks at its ends. */
+  /** The rest of the line, trimmed. */
   std::string rest() const;
-  /** The next word as a finite number; whether it is one. */
+  /** Reads the next word as a finite number; returns whether it is one. */
   bool number(double& value);
 
 private:
   std::string_view Left;
 };
 
-/** The whole word as a finite number. */
+/** Reads the whole word as a finite number. */
 bool parseNumber(std::string_view word, double& value);
-/** The whole word as an integer. */
+/** Reads the whole word as an integer. */
 bool parseInteger(std::string_view word, std::int64_t& value);
 /** `text` without blanks, tabs and carriage returns at its ends. */
 std::string_view trimmed(std::string_view text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Numbers out of the buffers of a glTF. */
+/** Reads numbers from the buffers of a glTF. */
 #ifndef KalosGltfAccessor_h
 #define KalosGltfAccessor_h
 

@@ -44,7 +44,7 @@ std::uint32_t word(const std::string& content, std::size_t at)
   return fromBytes<std::uint32_t>(content.data() + at);
 }
 
-/** What is read, or changes nothing that counts here. */
+/** Extensions that are read, or that change no light. */
 const std::set<std::string> ReadExtensions = {"KHR_lights_punctual",        "KHR_materials_emissive_strength",
                                               "KHR_mesh_quantization",      "EXT_mesh_gpu_instancing",
                                               "KHR_node_visibility",        "KHR_materials_pbrSpecularGlossiness",
@@ -70,7 +70,7 @@ void countExtensions(const nlohmann::json& json, std::map<std::string, int>& cou
   }
 }
 
-/** What Kalos knows or may pass over; files that require anything else can not be read. */
+/** Extensions that a file may require; any other is an error. */
 const std::set<std::string> KnownExtensions = {"KHR_node_visibility",        "KHR_materials_pbrSpecularGlossiness",
                                                "KHR_lights_punctual",        "KHR_materials_emissive_strength",
                                                "KHR_mesh_quantization",      "EXT_mesh_gpu_instancing",

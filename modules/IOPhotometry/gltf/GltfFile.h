@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A glTF 2.0 file, .gltf or .glb: its JSON, its buffers, and references between its parts. Own code, as VTK's loader
- * crashes on files that break the rules; here every reference is checked, and an error names the place in the JSON.
+ * A glTF 2.0 file, .gltf or .glb: its JSON, its buffers, and references between its parts. VTK's loader
+ * crashes on invalid files; tinygltf accepts references and views that do not exist, and names no place in its errors.
  */
 #ifndef KalosGltfFile_h
 #define KalosGltfFile_h
@@ -40,7 +40,7 @@ public:
 
   /** The bytes of a buffer view. */
   Bytes view(const JsonCursor& view) const;
-  /** Tell `notes` of extensions in the file that do not count here, each with the number of its uses. */
+  /** Adds a note for each extension that is not read, with the number of its uses. */
   void tellExtensions(Notes& notes) const;
   /** The bytes that "uri" or "bufferView" of an image name. */
   Bytes image(const JsonCursor& image) const;

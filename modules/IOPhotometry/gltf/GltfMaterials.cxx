@@ -195,7 +195,7 @@ private:
     return nullptr;
   }
 
-  /** None, with the reason, for an image that is not there as well. */
+  /** Empty for a missing image as well; `problem` says why. */
   std::optional<AverageColor> decode(const JsonCursor& image, std::string& problem) const
   {
     try

@@ -16,12 +16,12 @@ namespace kalos::scene
 struct GltfMaterial
 {
   Material material;
-  /** What `material` was made of; none if the scene gave it. */
+  /** The source of `material`; empty if the scene overrides it. */
   std::optional<MetallicRoughness> source;
   bool emitsOnBothSides = false;
 };
 
-/** The material with its base colour multiplied, as the colours of points do; unchanged if the scene gave it. */
+/** Multiplies the base colour, as vertex colours do; a material that the scene overrides stays as it is. */
 Material multiplyBaseColor(const GltfMaterial& material, const std::array<double, 3>& color);
 
 /**

@@ -100,7 +100,7 @@ std::vector<double> readNumbers(const JsonCursor& array, std::size_t count)
 Transform fromMatrix(const JsonCursor& matrix)
 {
   const std::vector<double> m = readNumbers(matrix, 16);
-  // Products in single precision leave a last row that is a little off.
+  // Matrix products in single precision leave small errors in the last row.
   const double off = std::max({std::abs(m[3]), std::abs(m[7]), std::abs(m[11]), std::abs(m[15] - 1.0)});
   if (!(off <= LastRowRounding))
   {
@@ -159,7 +159,7 @@ void GltfMeshes::refuseCompression(const JsonCursor& primitive, const JsonCursor
   }
 }
 
-/** COLOR_0 of the points of the triangles about to be added; white for triangles without, where others have some. */
+/** Reads COLOR_0 for the triangles that follow; triangles without it are white if others have it. */
 void GltfMeshes::readColors(const JsonCursor& primitive, const std::string& name,
                             const std::vector<std::array<std::uint32_t, 3>>& triangles, GltfMesh& mesh)
 {

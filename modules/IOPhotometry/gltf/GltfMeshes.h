@@ -22,7 +22,7 @@ struct GltfMesh
   std::vector<Vector3> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::int32_t> materialOf;
-  std::vector<std::array<double, 3>> colorOf;  ///< of each triangle, linear, the mean of its points; empty without any
+  std::vector<std::array<double, 3>> colorOf;  ///< mean vertex colour of each triangle, linear; empty without COLOR_0
 };
 
 class GltfMeshes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** What URIs in a glTF write with other characters. */
+/** Decodes the URIs of a glTF. */
 #ifndef KalosUriText_h
 #define KalosUriText_h
 
@@ -12,7 +12,7 @@ namespace kalos::scene
 /** The content of `data:TYPE;base64,TEXT`, whose TEXT begins there; `uri` is for messages. */
 std::string decodeBase64(const JsonCursor& uri, const std::string& text, std::size_t begin);
 
-/** With %20 and its kind as characters. */
+/** Replaces %20 and the like by their characters. */
 std::string decodePercent(const std::string& text);
 }  // namespace kalos::scene
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** A look at the header of an OpenEXR file before the library sees it, which allocates what a damaged one asks for. */
+/** Checks the header of an OpenEXR file first, because the library allocates whatever a damaged header asks for. */
 #ifndef KalosExrHeader_h
 #define KalosExrHeader_h
 

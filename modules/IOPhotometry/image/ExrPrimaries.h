@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** What red, green and blue of an OpenEXR image are. */
+/** The primaries of an OpenEXR image. */
 #ifndef KalosExrPrimaries_h
 #define KalosExrPrimaries_h
 
@@ -10,17 +10,17 @@
 
 namespace kalos
 {
-/** By the attribute chromaticities, Rec. 709 without it. */
+/** From the attribute chromaticities; Rec. 709 without it. */
 struct ExrPrimaries
 {
   bool isRec709 = true;
   double luminance[3] = {0.2126, 0.7152, 0.0722};  ///< Y of each
-  double toRec709[3][3] = {};  ///< rows that make linear Rec. 709; without adaptation to the white, so that Y stays
+  double toRec709[3][3] = {};  ///< matrix to linear Rec. 709, without white adaptation, so that Y is kept
 };
 
 ExrPrimaries primariesOf(const Imf::Header& header);
 
-/** Colours in these primaries, three components, become linear Rec. 709. */
+/** Converts three-component colours from these primaries to linear Rec. 709. */
 void toRec709(vtkFloatArray* bands, const ExrPrimaries& primaries);
 
 /** The array Luminance of colours in these primaries. */

@@ -31,7 +31,7 @@ ImageFileError writeImageFile(const char* fileName, const char* suffix, vtkImage
   }
   catch (const std::exception&)
   {
-    // The text of a library names the temporary file, which helps nobody.
+    // The library's message names the temporary file, so it is not passed on.
     return {vtkErrorCode::CannotOpenFileError,
             file + "file: cannot be written; expected a writable folder with room on the disk"};
   }

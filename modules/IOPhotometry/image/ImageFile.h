@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** What the writers of image files have in common: checks, a file that is whole or not there, one line an error. */
+/** The frame of the image writers: checks, atomic replacement of the file, one-line errors. */
 #ifndef KalosImageFile_h
 #define KalosImageFile_h
 
@@ -18,7 +18,7 @@ struct ImageFileError
   std::string message;  ///< empty if the file was written
 };
 
-/** Calls `write(path, planes)` for a path beside `fileName` and moves what it makes there into place. */
+/** Calls `write(path, planes)` with a temporary path and then moves that file to `fileName`. */
 ImageFileError writeImageFile(const char* fileName, const char* suffix, vtkImageData* image,
                               const std::function<void(const std::string&, const std::vector<Plane>&)>& write);
 }  // namespace kalos

@@ -12,7 +12,7 @@ namespace kalos::scene
 struct AverageColor
 {
   std::array<double, 3> linear{};   ///< mean of the sRGB pixels in linear light, [0,1]
-  std::array<double, 3> encoded{};  ///< mean of the pixels as they stand, [0,1], for textures that are no colours
+  std::array<double, 3> encoded{};  ///< mean of the pixels without decoding, [0,1], for textures that hold no colours
 };
 
 /** Of a PNG or JPEG image in memory; none for other formats and damaged images, the reason in `problem`. */

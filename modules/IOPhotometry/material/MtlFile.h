@@ -15,7 +15,7 @@ namespace kalos::scene
  * in cd/m², 1 beside a map_Ke without Ke, and map_Ke multiplies it; Pm and Pr are metallic and roughness of glTF's
  * model. Ks counts where illum asks for reflections (3, 5, 7, 8): a lobe of the width of Phong's exponent Ns,
  * roughness^4 = 2/(Ns + 2). A highlight (illum 2) is no reflectance. Keywords may be in any case; only values that
- * count have to be right. What is approximated or left out is added to `notes`. Throws InputError.
+ * are used are checked. Approximations and omissions are added to `notes`. Throws InputError.
  */
 Materials readMtlFile(const std::string& path, Notes& notes);
 }  // namespace kalos::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** The statements of a material library, before anything is made of them. */
+/** The statements of a material library, before they are converted to materials. */
 #ifndef KalosMtlStatements_h
 #define KalosMtlStatements_h
 
@@ -26,7 +26,7 @@ public:
   bool has(const std::string& keyword) const { return this->Statements.count(keyword) > 0; }
   /** A number from 0 to `highest`, or `absent`. An option before it, as in `d -halo 0.5`, is passed over. */
   double number(const std::string& keyword, double absent, double highest = std::numeric_limits<double>::max()) const;
-  /** Three such numbers, or one for all. */
+  /** Three such numbers; a single one serves all three. */
   std::array<double, 3> color(const std::string& keyword, double absent,
                               double highest = std::numeric_limits<double>::max()) const;
   /** The name of a texture, which options may precede; empty without one. */

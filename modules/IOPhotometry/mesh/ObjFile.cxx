@@ -11,7 +11,7 @@ namespace kalos::scene
 {
 namespace
 {
-/** Statements that change no light: of vertices that no polygon has, of lines, curves, appearance and grouping. */
+/** Statements that do not affect light: other vertex data, lines, curves, appearance and grouping. */
 constexpr const char* WithoutEffect[] = {
     "vt",     "vn",     "vp",     "s",   "l",    "p",    "lod",   "bevel", "c_interp",   "d_interp",
     "usemap", "maplib", "cstype", "deg", "bmat", "step", "curv",  "curv2", "parm",       "trim",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Wavefront OBJ: polygons and the names of their materials. tinyobjloader takes `v 1 2` and `v 1 0x nan` as numbers
- * without a word and refuses continued lines; CGAL's reader keeps no materials and tells no line.
+ * Wavefront OBJ: polygons and the names of their materials. tinyobjloader silently accepts `v 1 2`
+ * and `v 1 0x nan` and rejects continued lines; CGAL's reader drops materials and reports no line numbers.
  */
 #ifndef KalosObjFile_h
 #define KalosObjFile_h
@@ -14,7 +14,7 @@
 
 namespace kalos::scene
 {
-/** How a mesh file is read: for a scene, where nothing may be lost, or for the repair of a damaged mesh. */
+/** Strict: for a scene, where nothing may be lost. Lenient: for the repair of a damaged mesh. */
 enum class Reading
 {
   Strict,
@@ -32,7 +32,7 @@ struct ObjFile
 
 /**
  * Read v, f (polygons of any size, negative indices, a/b/c forms; also by its old name fo), usemtl, mtllib, o and g.
- * Statements of appearance, lines, points and curves do not concern light and are passed over. Curved surfaces and
+ * Statements of appearance, lines, points and curves do not affect light and are ignored. Curved surfaces and
  * unknown statements are errors, or with Reading::Lenient counted in `notes`. Faces of fewer than three corners are
  * kept for Mesh::dropDegenerate. Names reach to the end of their line, with any `#` in them.
  */

@@ -19,7 +19,7 @@ std::string withoutComment(const std::string& name)
   return std::string(trimmed(std::string_view(name).substr(0, name.find(" #"))));
 }
 
-/** Of exactly this name, else of the name without a comment. */
+/** The material of exactly this name, else of the name without a trailing comment. */
 const Material* lookUp(const Materials& materials, const std::string& name)
 {
   for (const std::string& spelled : {name, withoutComment(name)})

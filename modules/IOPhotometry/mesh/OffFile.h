@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Object File Format, text. CGAL's reader reads doubles, but tells no line and keeps what it had when it stops. */
+/** Object File Format, text. CGAL's reader keeps doubles but reports no line
+ * numbers. */
 #ifndef KalosOffFile_h
 #define KalosOffFile_h
 

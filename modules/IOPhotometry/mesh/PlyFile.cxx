@@ -125,7 +125,7 @@ private:
       {
         const std::size_t odd = (i - start) % 2;
         const std::int64_t a = corners[i - 2 + odd], b = corners[i - 1 - odd];
-        // A corner named twice only leads the strip elsewhere.
+        // Degenerate triangles only continue the strip elsewhere.
         if (a != b && b != corners[i] && a != corners[i])
         {
           this->Result.addPolygon({a, b, corners[i]}, -1);

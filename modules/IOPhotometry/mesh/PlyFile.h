@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Stanford PLY, ASCII and binary. VTK's reader rounds doubles to floats and trusts the counts of a damaged file;
- * CGAL's tells no place and passes on corners that name no point.
+ * CGAL's
+ * reports no place and accepts corners that name no point.
  */
 #ifndef KalosPlyFile_h
 #define KalosPlyFile_h

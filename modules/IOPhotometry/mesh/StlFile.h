@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** STL, ASCII and binary. VTK's reader and CGAL's trust the count of a damaged file, and neither tells a line. */
+/** STL, ASCII and binary. VTK's and CGAL's readers trust the count of a damaged file and report no line numbers. */
 #ifndef KalosStlFile_h
 #define KalosStlFile_h
 

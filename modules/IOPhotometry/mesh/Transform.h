@@ -30,7 +30,7 @@ struct Transform
     product.origin = this->point(inner.origin);
     return product;
   }
-  /** Whether it turns right hands into left ones, and so the corners of a polygon over. */
+  /** Whether it changes handedness, and so the orientation of polygons. */
   bool mirrors() const { return dot(cross(this->axes[0], this->axes[1]), this->axes[2]) < 0.0; }
 };
 }  // namespace kalos::scene

@@ -60,7 +60,7 @@ private:
     }
   }
 
-  /** Whether KHR_node_visibility hides the node and all below it. */
+  /** Whether KHR_node_visibility hides the node and its children. */
   bool isHidden(const JsonCursor& node)
   {
     const auto extensions = node.find("extensions");
@@ -161,7 +161,7 @@ private:
     }
   }
 
-  /** The number in Palette of a material whose base colour points multiply; without a material they are the colour. */
+  /** The index in Palette of a material times a vertex colour; without a material the colour is the reflectance. */
   std::int32_t coloredNumber(std::int32_t material, const std::array<double, 3>& color)
   {
     const auto [known, added] =

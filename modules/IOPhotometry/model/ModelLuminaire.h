@@ -9,7 +9,7 @@
 
 namespace kalos::scene
 {
-/** A ball about everything that parallel light has to reach. */
+/** A sphere around everything that parallel light has to reach. */
 struct Ball
 {
   Vector3 center{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Mesh files in whatever state, to be repaired. */
+/** Mesh files in any state, to be repaired. */
 #ifndef KalosLooseMesh_h
 #define KalosLooseMesh_h
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** What a scene gets from its models besides surfaces. */
+/** Cameras, receivers and notes that a scene takes from its models. */
 #ifndef KalosModelScene_h
 #define KalosModelScene_h
 
@@ -13,7 +13,7 @@
 
 namespace kalos::scene
 {
-/** Add the cameras of models, but those that have the name of one of the scene's own; `names` as for the receivers. */
+/** Adds the cameras of models except those that the scene overrides by name; `names` as for the receivers. */
 void addModelCameras(const std::vector<Camera>& found, std::set<std::string>& names, std::vector<Camera>& cameras);
 
 /**

@@ -41,7 +41,7 @@ bool parseRow(const std::string& line, std::array<double, 6>& row)
   return (text >> std::ws).eof();
 }
 
-/** The next line as far as it is not too long, which is an error; false at the end of the file. */
+/** Reads the next line; one that is too long is an error. False at the end of the file. */
 bool nextLine(std::istream& file, std::string& line, const std::string& path, long long number)
 {
   std::array<char, MaximumProbeLine + 1> buffer;
@@ -56,7 +56,7 @@ bool nextLine(std::istream& file, std::string& line, const std::string& path, lo
   return !file.fail();
 }
 
-/** Make a unit vector of any finite one, even where its square is beyond the numbers; false for zero. */
+/** Normalizes any finite vector, even if its square overflows; false for zero. */
 bool makeUnit(double* vector)
 {
   const double largest = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});

@@ -18,8 +18,8 @@ Mesh readSurfaceFile(const JsonCursor& node, const Materials& materials, const M
                      const std::string& folder, Notes& notes);
 
 /**
- * Add a model file whose parts are surfaces under their own names. Without the keys, notes say which axis is up and, if
- * a model is as large as no building or as small as no furniture, that its unit may be another one.
+ * Adds a model file whose parts become surfaces under their own names. Without the keys "up" and "scale", notes say
+ * which axis is up, and that the unit may be wrong if the model is larger than buildings or smaller than furniture.
  */
 void addModel(const JsonCursor& node, const Materials& materials, const std::string& folder,
               std::set<std::string>& names, SceneSurfaces& surfaces);

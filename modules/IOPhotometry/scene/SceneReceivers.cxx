@@ -103,7 +103,7 @@ vtkSmartPointer<vtkPolyData> readSurface(const JsonCursor& receiver, const std::
   }
 }
 
-/** One eye: a point whose normal is the line of sight. */
+/** An observer: a point whose normal is the line of sight. */
 vtkSmartPointer<vtkPolyData> readObserver(const JsonCursor& receiver)
 {
   receiver.checkKeys({"name", "observer"});

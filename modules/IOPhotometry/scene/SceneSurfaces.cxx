@@ -25,7 +25,7 @@ Mesh readQuad(const JsonCursor& node)
 {
   node.checkKeys({"origin", "u", "v"});
   const Mesh quad = makeQuad(node.at("origin").vector(), node.at("u").vector(), node.at("v").vector());
-  // The mesh check names a face; here the quad itself is the better place.
+  // The mesh check would name a face; the key of the quad is more helpful.
   const double sides = norm(node.at("u").vector()) * norm(node.at("v").vector());
   if (!(norm(quad.area(0)) > 1e-12 * sides))
   {

@@ -142,7 +142,7 @@ private:
 
 vtkSmartPointer<vtkPolyData> makeSurfaceReceivers(const Mesh& mesh, double edgeLength, bool flip, std::int64_t most)
 {
-  // No triangle is larger than the equilateral one: tell before the work what cannot work.
+  // The equilateral triangle is the largest one, so a count that is too high is known in advance.
   double area = 0.0;
   for (std::size_t p = 0; p < mesh.numberOfPolygons(); ++p)
   {
@@ -173,7 +173,7 @@ vtkSmartPointer<vtkPolyData> makeSurfaceReceivers(const Mesh& mesh, double edgeL
       const Vector3 middle = 0.5 * (b + c);
       work.push_back({a, middle, c});
       work.push_back({a, b, middle});
-      // A length below the coordinates' resolution would halve for ever.
+      // Below the resolution of the coordinates, halving would never end.
       if (work.size() > 4096)
       {
         throw std::length_error("a longer edge: this one cannot be reached at these coordinates");

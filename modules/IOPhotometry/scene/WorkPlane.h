@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Where a lighting engineer looks first in a model that says nothing of it. */
+/** The default calculation plane of a model without receivers. */
 #ifndef KalosWorkPlane_h
 #define KalosWorkPlane_h
 

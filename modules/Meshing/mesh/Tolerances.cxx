@@ -12,7 +12,7 @@ namespace
 constexpr double shareOfDiagonal = 1e-6;
 constexpr double shareOfEdge = 1e-4;
 
-/** What coordinates may be off by, over their size: less where not all of them fit into float32. */
+/** Relative rounding error of the coordinates: that of float32 if all of them fit into it, else that of double. */
 double roundingOf(const TriangleMesh& mesh)
 {
   const auto isSingle = [](double c) { return static_cast<double>(static_cast<float>(c)) == c; };
@@ -21,7 +21,7 @@ double roundingOf(const TriangleMesh& mesh)
   return 3.0 * (single ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon());
 }
 
-/** Of each point the shortest edge that is not below `least`, else the longest. */
+/** For each point its shortest edge of at least `least`, or else its longest. */
 std::vector<double> edgeLengths(const TriangleMesh& mesh, double least)
 {
   constexpr double none = std::numeric_limits<double>::infinity();

@@ -10,9 +10,9 @@
 namespace kalos::meshing
 {
 /**
- * A distance for each point of a mesh, m: a millionth of the diagonal, but at most a ten-thousandth of the shortest
- * edge at the point, and at least what coordinates of that size are rounded by. So a gap between boards stays open
- * however wide the site around them is, and what float32 files write a little apart still joins.
+ * Merge distance for each point of a mesh, m: a millionth of the diagonal, but at most a ten-thousandth of the shortest
+ * edge at the point, and at least the rounding error of its coordinates. Gaps in small objects stay open on a large
+ * site, and points that differ by float32 rounding still merge.
  */
 class Tolerances
 {

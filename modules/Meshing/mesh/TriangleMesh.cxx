@@ -72,7 +72,8 @@ Bounds bounds(const TriangleMesh& mesh)
 
 Merged mergePoints(TriangleMesh& mesh, const Tolerances& tolerances)
 {
-  // Sweep along a direction that no building is aligned with; a point is compared with the representatives just passed.
+  // Sweep along a direction that buildings are rarely aligned with, and compare each point with the latest
+  // representatives.
   const Point direction = unit({0.6180339887, 0.7548776662, 0.5698402910});
   const std::size_t n = mesh.points.size();
   std::vector<double> along(n);

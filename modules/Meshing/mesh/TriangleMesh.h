@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Triangles as every part of the meshing library takes and gives them. */
+/** The triangle mesh that all parts of the meshing library use. */
 #ifndef KalosMeshingTriangleMesh_h
 #define KalosMeshingTriangleMesh_h
 
@@ -62,7 +62,7 @@ class Tolerances;
 
 struct Merged
 {
-  std::size_t points = 0;  ///< that gave way to another
+  std::size_t points = 0;  ///< that were replaced by another
   std::size_t moved = 0;   ///< of these, those that were not at the very same place
 };
 
@@ -78,7 +78,7 @@ std::size_t dropDegenerate(TriangleMesh& mesh, const Tolerances& tolerances);
 struct Duplicates
 {
   std::size_t dropped = 0;  ///< same corners and material as an earlier triangle
-  std::size_t kept = 0;     ///< same corners but another material: which one counts cannot be decided here
+  std::size_t kept = 0;     ///< same corners but another material: both are kept
 };
 
 /**

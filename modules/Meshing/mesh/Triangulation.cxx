@@ -30,7 +30,7 @@ Point normalOf(const std::vector<Point>& corners)
   return normal;
 }
 
-/** Along the axis nearest to the normal, so that the outline stays counter-clockwise and coordinates stay exact. */
+/** Projects along the axis nearest to the normal: the outline stays counter-clockwise and coordinates stay exact. */
 std::vector<Flat> flatten(const std::vector<Point>& corners)
 {
   const Point normal = normalOf(corners);
@@ -49,7 +49,7 @@ std::vector<Flat> flatten(const std::vector<Point>& corners)
   return flat;
 }
 
-/** Whether the outline goes around the point an odd number of times: edges to its right. */
+/** Even-odd rule: counts the edges to the right of the point. */
 bool isInside(const std::vector<Flat>& outline, double x, double y)
 {
   bool inside = false;

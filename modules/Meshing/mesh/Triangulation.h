@@ -16,9 +16,9 @@ namespace kalos::meshing
 bool isConvex(const std::vector<Point>& corners);
 
 /**
- * Triangles of corner numbers that cover the polygon and keep its side. It may be concave, touch itself and have holes
- * that bridges join to the outline, edges that it runs along there and back; inside is what the outline goes around an
- * odd number of times, seen along the normal. None where two edges cross.
+ * Triangulates a polygon and keeps its orientation; returns corner indices. The polygon may be concave, touch itself
+ * and have holes that bridge edges connect to the outline (each traversed in both directions). The even-odd rule
+ * decides what is inside. Empty if two edges cross.
  */
 std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulate(const std::vector<Point>& corners);
 }  // namespace kalos::meshing

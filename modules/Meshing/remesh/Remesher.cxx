@@ -28,7 +28,7 @@ Point point(const Kernel::Point_3& p)
   return {p.x(), p.y(), p.z()};
 }
 
-/// Reports now and then what is done, from within CGAL, which may stay in one iteration for ever.
+/// Reports progress regularly from within CGAL, where one iteration may take very long.
 class Watch
 {
 public:
@@ -46,7 +46,7 @@ private:
   std::size_t Looks = 0;
 };
 
-/// The marks of kept edges, which CGAL asks for wherever it works.
+/// The marks of kept edges. CGAL queries them all the time, so progress is reported here.
 struct WatchedMarks
 {
   using key_type = Edge;
@@ -117,7 +117,7 @@ public:
         chosen[f.idx()] = 1;
       }
     }
-    // The rim of the chosen part stays for now.
+    // The boundary of the chosen part is kept in this pass.
     std::vector<Vertex> rim;
     for (const Edge e : Mesh.edges())
     {

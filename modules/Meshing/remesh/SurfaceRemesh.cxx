@@ -21,7 +21,7 @@ namespace kalos::meshing
 {
 namespace
 {
-/// What the input's cells want, found by place.
+/// Edge lengths that the input's cells ask for, looked up by position.
 class CellWishes
 {
 public:

@@ -40,7 +40,7 @@ std::vector<std::uint32_t> surfacesOf(const TriangleMesh& mesh, std::size_t& cou
   return surface;
 }
 
-/// What speaks for turning a surface back after all its triangles were made to agree.
+/// Areas and emitters for and against turning a consistently oriented surface over.
 struct Votes
 {
   double turned = 0.0, unturned = 0.0;  // area, m²

@@ -70,7 +70,7 @@ private:
   std::vector<Sheet> Sheets;
 };
 
-/// Silences what OpenMesh prints about faces that it refuses.
+/// Suppresses OpenMesh's messages about faces that it rejects.
 struct Quiet
 {
   Quiet() { omerr().disable(); }

@@ -16,7 +16,7 @@ Curves findSingularEdges(TriangleMesh mesh, const EdgeSettings& settings, const 
   const Tolerances tolerances(mesh, settings.tolerance);
   counts.tolerance = tolerances.largest();
 
-  // Make neighbours of triangles that only touch by coordinates; coincident ones would meet each other without end.
+  // Connect triangles that only share coordinates; drop duplicates, which would all intersect each other.
   report(progress, 0.0);
   mergePoints(mesh, tolerances);
   counts.degenerate = dropDegenerate(mesh, tolerances);

@@ -70,7 +70,7 @@ struct Curves
  * intersecting bounding boxes, all in O(n log n) for a mesh whose triangles meet few others. Throws as check() and
  * report() do.
  *
- * All is found but for the tolerance: surfaces nearer than it touch, contacts shorter than four of it count as points,
+ * Within the tolerance: surfaces closer than it touch, contacts shorter than four times it count as points,
  * and where two edges cross at an angle the ends of a contact are right to a few tolerances over its sine.
  */
 Curves findSingularEdges(TriangleMesh mesh, const EdgeSettings& settings, const Progress& progress = {});
