@@ -8,6 +8,7 @@ from kalos.arguments import (COUNT, FLOOR, PEERS, RELATIVE, SEED, THREADS, TIME,
                              receiver_and_replicate, savings, sweep)
 from kalos.errors import FAILED, KalosError
 from kalos.estimator import DEFAULT_METHOD, METHODS, REFERENCE_TRAJECTORIES, SAVINGS, Options
+from kalos.model_file import AXES, UNITS, placed
 
 EDGE_LENGTH = quantity(float, "a length > 0, in metres", lambda x: x > 0)
 
@@ -20,6 +21,8 @@ def parser():
     solve = commands.add_parser("solve", help="solve a scene into a folder of tables and pictures")
     solve.add_argument("scene", metavar="SCENE", help="the scene file (.json), or a model with light in it (.glb, .gltf, .obj)")
     solve.add_argument("--out", metavar="DIR", required=True, help="folder for the results; made if it is not there")
+    solve.add_argument("--unit", choices=UNITS, help="unit of length of a model (m)")
+    solve.add_argument("--up", choices=AXES, help="axis of a model that is up (y for glTF, z for OBJ)")
     add_method_options(solve, DEFAULT_METHOD)
     add_goals(solve)
     solve.add_argument("--checkpoint", metavar="FILE",
@@ -124,6 +127,7 @@ def options_of(arguments):
 def run_solve(arguments):
     from kalos.solve import replay, solve, take_part
 
+    arguments.scene = placed(arguments.scene, arguments.unit, arguments.up)
     if arguments.replay:
         replay(arguments.scene, *arguments.replay, options_of(arguments), arguments.prepare)
         return 0

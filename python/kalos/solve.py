@@ -13,6 +13,7 @@ from kalos.estimator import Options, named_options
 from kalos.glare import rate_glare
 from kalos.hdr import write_hdr
 from kalos.memory import check_memory
+from kalos.model_file import ModelFile
 from kalos.output import staged, write_vtp
 from kalos.preparation import UNPREPARED, prepare_scene
 from kalos.progress import run
@@ -108,6 +109,9 @@ def read_scene(path):
     """A vtkKalosSceneReader that has read the scene or model file: ports 0 surfaces, 1 luminaires, 2 receivers, and the cameras."""
     reader = kalos.vtkKalosSceneReader()
     reader.SetFileName(os.fspath(path))
+    if isinstance(path, ModelFile):
+        reader.SetModelUnit(path.unit)
+        reader.SetModelUp(path.up)
     update(reader)
     return reader
 
