@@ -164,6 +164,7 @@ TEST(PhotometryDialects, BlankNumbersOfEulumdat)
   {
     const PhotometricFile file = parsePhotometry(eulumdat({{line, ""}, {23, ""}}));
     EXPECT_DOUBLE_EQ(file.table.intensity(0, 45), 160) << line;
+    EXPECT_DOUBLE_EQ(file.opening.alongC90, line == 16 ? 0 : 0.6) << line;
     EXPECT_EQ(codes(file), "ldt-blank;") << line;
   }
   for (const auto& [line, field] : {std::pair{2, "type indicator"},
