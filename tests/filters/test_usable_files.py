@@ -161,3 +161,13 @@ def test_what_the_reader_for_repair_refuses(tmp_path, name, content, message):
         reader.SetFileName(str(tmp_path / name))
     assert update_error(reader).replace(f"{tmp_path}/", "").startswith(message)
     assert reader.GetOutput().GetNumberOfCells() == 0
+
+
+def test_backslashes_in_a_scene_file(tmp_path):
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "sub" / "a.ply").write_text(PLY)
+    (tmp_path / "sub" / "p.csv").write_text("x,y,z,nx,ny,nz\n1,2,3,0,0,1\n")
+    scene = minimal_scene()
+    scene["surfaces"] = [{"name": "mesh", "file": "sub\\a.ply", "material": "white"}]
+    scene["receivers"] = [{"name": "p", "points": "sub\\p.csv"}]
+    check(read(write_scene(tmp_path, scene)), 0.7, {})

@@ -17,8 +17,16 @@ const char* const Subject = "files elsewhere";
 
 std::string resolvePath(const std::string& folder, const std::string& path, Notes& notes)
 {
-  const std::filesystem::path whole = std::filesystem::path(folder) / path;
-  const std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
+  std::error_code ignored;
+  std::string spelled = path;
+  std::replace(spelled.begin(), spelled.end(), '\\', '/');
+  if (!std::filesystem::exists(std::filesystem::path(folder) / spelled, ignored) ||
+      std::filesystem::exists(std::filesystem::path(folder) / path, ignored))
+  {
+    spelled = path;
+  }
+  const std::filesystem::path whole = std::filesystem::path(folder) / spelled;
+  const std::filesystem::path normal = std::filesystem::path(spelled).lexically_normal();
   if (normal.is_absolute() || (!normal.empty() && *normal.begin() == ".."))
   {
     notes.push_back({Subject, whole.lexically_normal().string(), {}});
@@ -28,17 +36,15 @@ std::string resolvePath(const std::string& folder, const std::string& path, Note
 
 std::optional<std::string> findFile(const std::string& folder, const std::string& path, Notes& notes)
 {
-  std::string slashed = path;
-  std::replace(slashed.begin(), slashed.end(), '\\', '/');
-  for (const std::string& name : {path, slashed})
+  Notes elsewhere;
+  const std::string found = resolvePath(folder, path, elsewhere);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(found, ignored))
   {
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(std::filesystem::path(folder) / name, ignored))
-    {
-      return resolvePath(folder, name, notes);
-    }
+    return {};
   }
-  return {};
+  notes.insert(notes.end(), elsewhere.begin(), elsewhere.end());
+  return found;
 }
 
 Notes joinFilesElsewhere(const Notes& notes)

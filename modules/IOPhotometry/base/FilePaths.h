@@ -14,10 +14,11 @@
 
 namespace kalos::scene
 {
-/** Resolves `path` against `folder`; a file outside the folder is added to `notes`. */
+/** Resolves `path` against `folder`; a file outside the folder is added to `notes`. Backslashes are read as slashes if
+ * only that names a file. */
 std::string resolvePath(const std::string& folder, const std::string& path, Notes& notes);
 
-/** The same for an existing file; backslashes are tried as slashes. Empty if there is no such file. */
+/** The same for an existing file. Empty if there is no such file. */
 std::optional<std::string> findFile(const std::string& folder, const std::string& path, Notes& notes);
 
 /** Joins the notes about files elsewhere into one. */
