@@ -214,9 +214,9 @@ def test_goal_is_judged(scene, command, tmp_path):
         assert ("8 receivers of desk missed the error" in told) == (name == "missed")
 
 
-def test_savings_can_be_done_without(scene, command, tmp_path):
+def test_techniques_can_be_disabled(scene, command, tmp_path):
     tables = []
-    for i, more in enumerate(([], ["--without", "stratified,picked"])):
+    for i, more in enumerate(([], ["--disable", "stratified,picked"])):
         status, _, error = command("solve", scene.save(), "--out", tmp_path / f"out{i}", "--trajectories", 3200, *more)
         assert status == 0, error
         tables.append(read_csv(tmp_path / f"out{i}" / "desk.csv"))

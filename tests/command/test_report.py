@@ -9,12 +9,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from kalos.isolux import isolux, levels, polylines
-from kalos.plan import relative_error
-from kalos.receivers import Receivers, point_receivers
 from matplotlib.image import imread
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+from kalos.pictures.isolux import isolux, levels, polylines
+from kalos.pictures.plan import relative_error
+from kalos.results.receivers import Receivers, point_receivers
 
 PANEL = Path(__file__).resolve().parents[2] / "data" / "photometry" / "panel.ies"
 

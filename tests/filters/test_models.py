@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from gltf import SQUARE, TRIANGLES, Gltf, floor
 from helpers import minimal_scene, update_error, write_scene
-from kalos.solve import illuminance
-from kalos.vtk import vtkKalosSceneReader
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+
+from kalos.estimation.filters import illuminance_filter
+from kalos.vtk import vtkKalosSceneReader
 
 
 def read(path):
@@ -64,9 +65,9 @@ def normal(reader, cell):
 
 def direct(path, points, normals):
     """Direct illuminance at points, which for points of light is exact."""
-    from kalos.receivers import from_dataset, point_receivers
+    from kalos.results.receivers import from_dataset, point_receivers
 
-    estimator = illuminance(read(path), None)
+    estimator = illuminance_filter(read(path), None)
     estimator.SetTrajectories(32)
     estimator.SetInputDataObject(0, point_receivers(points, np.broadcast_to(normals, np.shape(points))))
     estimator.Update()

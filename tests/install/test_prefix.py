@@ -57,8 +57,8 @@ def test_command_through_a_link(prefix, tmp_path):
 
 def test_package_by_pythonpath(prefix):
     package = prefix / "lib" / "python3" / "dist-packages"
-    program = ("import kalos, kalos.validate; print(kalos.__file__, kalos.vtkKalosIlluminance().GetClassName(), "
-               "kalos.validate.DATA)")
+    program = ("import kalos; from kalos.validation.cases import DATA; print(kalos.__file__, kalos.vtkKalosIlluminance().GetClassName(), "
+               "DATA)")
     found = run(sys.executable, "-c", program, PYTHONPATH=str(package))
     assert found.stdout == f"{package}/kalos/__init__.py vtkKalosIlluminance {prefix}/share/kalos/data\n", found.stderr
     assert (prefix / "share" / "kalos" / "data" / "furnace" / "furnace.json").exists()

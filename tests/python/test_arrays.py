@@ -13,8 +13,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import kalos
-from kalos import arrays, estimate
+from kalos.core import arrays
 from kalos.errors import update
+from kalos.estimation import estimates
 
 UP = (0.0, 0.0, 1.0)
 
@@ -154,7 +155,7 @@ def test_nothing_is_a_scene_without_light():
 
 def test_cost_over_the_filter(monkeypatch):
     """A 64 x 64 grid: all that Python adds to the filter's own update, in processor time of this thread."""
-    inner, outer, watch = [], [], estimate.watch
+    inner, outer, watch = [], [], estimates.watch
 
     def timed(*arguments):
         started = time.thread_time()
@@ -162,7 +163,7 @@ def test_cost_over_the_filter(monkeypatch):
         inner.append(time.thread_time() - started)
         return stopped
 
-    monkeypatch.setattr(estimate, "watch", timed)
+    monkeypatch.setattr(estimates, "watch", timed)
     points, scene, light = grid(64, 64), room(), lamp()
     for _ in range(9):
         started = time.thread_time()

@@ -6,12 +6,13 @@ import inspect
 import pytest
 
 import kalos
-from kalos import estimate, scene
+from kalos.estimation import estimates
+from kalos.scenes import geometry
 
 PUBLIC = ("illuminance", "luminance", "surface", "quad", "box", "luminaire", "panel")
 
 
-@pytest.mark.parametrize("module", [estimate, scene])
+@pytest.mark.parametrize("module", [estimates, geometry])
 def test_examples(module):
     names = {name: getattr(kalos, name) for name in PUBLIC}
     result = doctest.testmod(module, extraglobs=names)

@@ -4,8 +4,8 @@ import re
 from pathlib import Path
 
 import kalos
-from kalos import arrays
-from kalos.estimator import METHODS
+from kalos.core import arrays
+from kalos.core.options import METHODS
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
-from kalos.axonometry import seen_cells
-from kalos.colours import false_colours
-from kalos.projection import flat_frame
-from kalos.scale import colour_scale, round_up
-from kalos.summary import number, statistics
+from kalos.pictures.axonometry import seen_cells
+from kalos.pictures.colours import false_colours
+from kalos.pictures.projection import flat_frame
+from kalos.pictures.scale import colour_scale, round_up
+from kalos.results.statistics import statistics
+from kalos.results.text import number
 
 
 def frame(corners, normal):

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-
 NAMES = ("mitsuba", "radiance", "radiance-cached")
 
 

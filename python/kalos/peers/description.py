@@ -3,8 +3,8 @@
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from kalos import arrays
-from kalos.clearance import triangles
+from kalos.core import arrays
+from kalos.scenes.clearance import triangles
 
 BAND_WEIGHTS = {1: np.ones(1), 3: np.array([0.2126, 0.7152, 0.0722])}  # photometric share of a band; else equal
 ISOTROPIC, LAMBERTIAN = 0, 1

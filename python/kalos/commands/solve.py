@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`kalos solve`: a scene into a folder of tables and pictures."""
+from kalos import ranks
+from kalos.commands.arguments import receiver_and_replicate, techniques
+from kalos.commands.options import add_method_options, options_of
+from kalos.core.options import DEFAULT_METHOD, TECHNIQUES
+from kalos.core.limits import FLOOR, RELATIVE, TIME
+
+
+def add(commands):
+    command = commands.add_parser("solve", help="solve a scene into a folder of tables and pictures")
+    command.add_argument("scene", metavar="SCENE", help="the scene file (.json), or a model with light in it (.glb, .gltf, .obj)")
+    command.add_argument("--out", metavar="DIR", required=True, help="folder for the results; made if it is not there")
+    add_method_options(command, DEFAULT_METHOD)
+    add_goals(command)
+    command.add_argument("--checkpoint", metavar="FILE",
+                       help="keep the solve in FILE, FILE.CAMERA for cameras, every 10 s and when it is stopped; the same command "
+                            "goes on from there to the same numbers, and takes the files away when it is done (none)")
+    command.add_argument("--disable", metavar="NAME,...", type=techniques,
+                       help=f"switch off some of {', '.join(TECHNIQUES)}, to measure what each saves; no mean changes (none)")
+    command.add_argument("--replay", metavar="RECEIVER:REPLICATE", type=receiver_and_replicate,
+                       help="write nothing, but recompute one replicate of such a solve and print its scores at one receiver, "
+                            "counted over all sets from 0")
+    command.add_argument("--no-prepare", action="store_false", dest="prepare",
+                       help="take the surfaces as they are: neither repair them nor look for singular edges")
+    command.add_argument("--report", action="store_true",
+                       help="write report.html as well: plans with isolux lines, tables, luminaires, audit, in one page to print")
+    command.add_argument("--hdr", action="store_true", help="write NAME.hdr per camera as well, a Radiance picture")
+    command.set_defaults(run=run)
+
+
+def add_goals(command):
+    add = command.add_argument
+    add("--error", metavar="E", type=RELATIVE,
+        help="stop when every 95 %% half-width is within E of its value, or below the floor (off)")
+    add("--error-floor", metavar="LX", type=FLOOR,
+        help="half-width that is small enough for any value, lx (auto: E of a hundredth of the mean)")
+    add("--time", metavar="SECONDS", type=TIME, help="stop each solve after so many seconds (off)")
+
+
+def run(arguments):
+    from kalos.solving.solve import replay, solve, take_part
+
+    if arguments.replay:
+        replay(arguments.scene, *arguments.replay, options_of(arguments), arguments.prepare)
+        return 0
+    if ranks.join().rank:
+        take_part(arguments.scene, options_of(arguments), arguments.prepare)
+    else:
+        solve(arguments.scene, arguments.out, options_of(arguments), say=print, preparing=arguments.prepare,
+              report=arguments.report, hdr=arguments.hdr)
+    return 0

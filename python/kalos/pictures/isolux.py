@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Isolux lines of a flat receiver set: lines of equal illuminance as vtkPolyData, each with its level and label."""
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkContourFilter, vtkDelaunay2D, vtkStripper
+
+from kalos.core import arrays
+from kalos.pictures.projection import flat_frame
+
+LEVEL, LABEL = "IsoluxLevel", "IsoluxLabel"
+
+
+def levels(values):
+    """Multiples of a round step between the extremes, five to ten of them or so."""
+    low, high = float(np.min(values)), float(np.max(values))
+    if not high > low:
+        return []
+    power = 10.0 ** np.floor(np.log10((high - low) / 5))
+    step = max(s * power for s in (1, 2, 2.5, 5) if s * power <= (high - low) / 5)
+    return [level for k in range(int(low / step), int(high / step) + 1) if low < (level := k * step) < high]
+
+
+def isolux(receivers, at=None):
+    """Lines through the receivers' places, linear between them; None when the set is not flat.
+
+    Point arrays: Illuminance and IlluminanceStandardError, lx, the error interpolated like the value. Cell arrays: IsoluxLevel,
+    lx, and IsoluxLabel. `at`: the levels, lx; round ones if None.
+    """
+    frame = flat_frame(receivers.points, receivers.normals) if len(receivers.points) > 2 else None
+    if frame is None:
+        return None
+    surface = triangulated(receivers, frame)
+    append = vtkAppendPolyData()
+    append.AddInputData(vtkPolyData())
+    found = []
+    for level in levels(receivers.illuminance) if at is None else at:
+        contour = vtkContourFilter()
+        contour.SetInputData(surface)
+        contour.SetValue(0, level)
+        contour.ComputeScalarsOn()
+        strips = vtkStripper()
+        strips.SetInputConnection(contour.GetOutputPort())
+        strips.JoinContiguousSegmentsOn()
+        strips.SetMaximumLength(1 << 20)
+        strips.Update()
+        count = strips.GetOutput().GetNumberOfLines()
+        if count:
+            append.AddInputData(strips.GetOutput())
+            found += [level] * count
+    append.Update()
+    lines = vtkPolyData()
+    lines.ShallowCopy(append.GetOutput())
+    numbers = numpy_to_vtk(np.array(found, float), deep=True)
+    numbers.SetName(LEVEL)
+    labels = vtkStringArray()
+    labels.SetName(LABEL)
+    for level in found:
+        labels.InsertNextValue(f"{level:g} lx")
+    lines.GetCellData().AddArray(numbers)
+    lines.GetCellData().AddArray(labels)
+    return lines
+
+
+def triangulated(receivers, frame):
+    """The receivers' places as a triangle mesh with their values; Delaunay's, in the receivers' plane."""
+    flat = np.column_stack([frame.project(receivers.points), np.zeros(len(receivers.points))])
+    places, cloud = vtkPoints(), vtkPolyData()
+    places.SetData(numpy_to_vtk(np.ascontiguousarray(flat), deep=True))
+    cloud.SetPoints(places)
+    for name, values in ((arrays.ILLUMINANCE, receivers.illuminance), (arrays.ILLUMINANCE_STANDARD_ERROR, receivers.standard_error)):
+        array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+        array.SetName(name)
+        cloud.GetPointData().AddArray(array)
+    cloud.GetPointData().SetActiveScalars(arrays.ILLUMINANCE)
+    delaunay = vtkDelaunay2D()
+    delaunay.SetInputData(cloud)
+    delaunay.Update()
+    mesh = vtkPolyData()
+    mesh.ShallowCopy(delaunay.GetOutput())
+    corners = vtkPoints()
+    corners.SetData(numpy_to_vtk(np.ascontiguousarray(receivers.points), deep=True))
+    mesh.SetPoints(corners)
+    return mesh
+
+
+def polylines(lines):
+    """(level, label, points (n, 3)) of every line."""
+    points = vtk_to_numpy(lines.GetPoints().GetData()).astype(float) if lines.GetNumberOfPoints() else np.empty((0, 3))
+    cells = lines.GetLines()
+    if cells.GetNumberOfCells() == 0:
+        return []
+    ends, corners = vtk_to_numpy(cells.GetOffsetsArray()), vtk_to_numpy(cells.GetConnectivityArray())
+    level, label = lines.GetCellData().GetArray(LEVEL), lines.GetCellData().GetAbstractArray(LABEL)
+    return [(level.GetValue(i), label.GetValue(i), points[corners[ends[i]:ends[i + 1]]]) for i in range(len(ends) - 1)]

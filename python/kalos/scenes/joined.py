@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Several surfaces, or several luminaires, as one vtkPolyData that loses none of their arrays."""
+from __future__ import annotations
+
+from typing import Sequence, Union
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+
+from kalos.core import arrays
+from kalos.errors import InputError
+from kalos.scenes.geometry import DISTRIBUTIONS, MATERIAL
+
+Surfaces = Union[vtkPolyData, Sequence[vtkPolyData]]
+Luminaires = Union[vtkPolyData, Sequence[vtkPolyData], None]
+
+LAMP = {arrays.DIRECTION: (0.0, 0.0, -1.0), arrays.DISTRIBUTION: DISTRIBUTIONS["lambertian"], arrays.SIDE_U: (0.0, 0.0, 0.0),
+        arrays.SIDE_V: (0.0, 0.0, 0.0)}
+
+
+def joined_surfaces(pieces: Surfaces) -> vtkPolyData:
+    """Cells with the arrays of all pieces: photometric values beside bands are neutral, what a piece lacks is the default."""
+    return joined("surfaces", pieces, vtkDataObject.CELL, {arrays.REFLECTANCE: None, **MATERIAL})
+
+
+def joined_luminaires(pieces: Luminaires) -> vtkPolyData:
+    return joined("luminaires", pieces, vtkDataObject.POINT, {arrays.LUMINOUS_FLUX: None, **LAMP})
+
+
+def joined(name, pieces, kind, defaults):
+    """A single piece is itself. vtkAppendPolyData keeps what all have in common, so all are completed first."""
+    pieces = [] if pieces is None else list(pieces) if isinstance(pieces, (list, tuple)) else [pieces]
+    for i, piece in enumerate(pieces):
+        if not isinstance(piece, vtkPolyData):
+            raise InputError(f"{name}: item {i} is of {type(piece).__name__}, expected vtkPolyData or a list of them")
+    if len(pieces) <= 1:
+        return pieces[0] if pieces else vtkPolyData()
+    given = [piece.GetAttributes(kind) for piece in pieces]
+    known = {key: [data.GetArray(key) for data in given] for key in defaults}
+    widths = {key: max((a.GetNumberOfComponents() for a in found if a), default=0) for key, found in known.items()}
+    for i, found in enumerate(known.get(arrays.DISTRIBUTION, ())):
+        if found and found.GetNumberOfTuples() and found.GetRange()[1] > max(DISTRIBUTIONS.values()):
+            raise InputError(f"{name}: item {i} refers to a candela table of its own, expected such a piece alone, not in a list")
+    append = vtkAppendPolyData()
+    for i, piece in enumerate(pieces):
+        copy = vtkPolyData()
+        copy.CopyStructure(piece)
+        for key, width in widths.items():
+            if width:
+                array = numpy_to_vtk(filled(f"{name}: item {i}", key, known[key][i], defaults[key],
+                                            piece.GetNumberOfElements(kind), width))
+                array.SetName(key)
+                copy.GetAttributes(kind).AddArray(array)
+        append.AddInputData(copy)
+    append.Update()
+    return append.GetOutput()
+
+
+def filled(where, key, array, default, count, width):
+    """(count, width) values of the array, or its default where there is none."""
+    if array is None:
+        if default is None:
+            raise InputError(f"{where} has no array {key}, expected what kalos.surface() or kalos.luminaire() makes")
+        values = np.array(default, float)
+    else:
+        values = vtk_to_numpy(array).reshape(count, -1)
+        if values.shape[1] not in (1, width):
+            raise InputError(f"{where} has {values.shape[1]} components of {key}, expected 1 or {width}")
+    return np.ascontiguousarray(np.broadcast_to(values, (count, width)), float)

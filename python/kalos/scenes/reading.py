@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scene files and models read, and what is in them."""
+import os
+from collections import Counter
+
+from kalos.core import arrays
+from kalos.errors import update
+from kalos.vtk import vtkKalosSceneReader
+
+MODELS = (".glb", ".gltf", ".obj")  # files that are scenes without a JSON around them
+
+
+def read_scene(path):
+    """A vtkKalosSceneReader that has read the scene or model file: ports 0 surfaces, 1 luminaires, 2 receivers, and the cameras."""
+    reader = vtkKalosSceneReader()
+    reader.SetFileName(os.fspath(path))
+    update(reader)
+    return reader
+
+
+def photometry_warnings(reader):
+    """What the scene's photometric files made one doubt or repair: counts by code, and every warning."""
+    table = reader.GetLuminaires().GetFieldData().GetAbstractArray(arrays.PHOTOMETRY_WARNINGS)
+    cells = [table.GetValue(i) for i in range(table.GetNumberOfValues())]
+    found = [dict(zip(("code", "file", "message"), cells[i:i + 3])) for i in range(0, len(cells), 3)]
+    return {"count": len(found), "codes": dict(Counter(one["code"] for one in found)), "list": found}
+
+
+def receiver_names(reader):
+    blocks = reader.GetReceivers()
+    return [blocks.GetMetaData(i).Get(blocks.NAME()) for i in range(blocks.GetNumberOfBlocks())]
+
+
+def camera_names(reader):
+    return [reader.GetCameraName(i) for i in range(reader.GetNumberOfCameras())]
