@@ -9,7 +9,7 @@ from typing import Callable, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
 
@@ -17,6 +17,7 @@ from kalos.core import limits
 from kalos.core import arrays
 from kalos.core.options import DEFAULT_METHOD, Options, named_options
 from kalos.core.progress import watch
+from kalos.core.sharing import shared
 from kalos.errors import BAD_INPUT, InputError, Interrupted, KalosError
 from kalos.estimation.results import Illuminance, Luminance
 from kalos.results.fields import audit, field_value, trajectories
@@ -146,11 +147,9 @@ def receivers(points, normals):
     else:
         dataset, places = vtkStructuredGrid(), vtkPoints()
         dataset.SetDimensions(points.shape[1], points.shape[0], 1)
-        places.SetData(numpy_to_vtk(points.reshape(-1, 3)))
+        places.SetData(shared(points.reshape(-1, 3)))
         dataset.SetPoints(places)
-    array = numpy_to_vtk(normals.reshape(-1, 3))
-    array.SetName("Normals")
-    dataset.GetPointData().SetNormals(array)
+    dataset.GetPointData().SetNormals(shared(normals.reshape(-1, 3), "Normals"))
     return dataset
 
 

@@ -15,6 +15,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from kalos.core import arrays
+from kalos.core.sharing import shared
 from kalos.errors import InputError
 from kalos.scenes.checks import INTEGERS, non_empty, numbers, refuse, within
 
@@ -158,7 +159,7 @@ def of_faces(values, name, count):
 def poly_data(points, polygons=None):
     """vtkPolyData on the array's own memory: polygons, or one cell of all points."""
     result, places, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
-    places.SetData(numpy_to_vtk(points))
+    places.SetData(shared(points))
     result.SetPoints(places)
     rows = np.arange(len(points), dtype=np.int64)[None] if polygons is None else polygons
     offsets = np.arange(0, rows.size + 1, rows.shape[1], dtype=rows.dtype)
@@ -169,6 +170,4 @@ def poly_data(points, polygons=None):
 
 
 def put(data, name, values):
-    array = numpy_to_vtk(values)
-    array.SetName(name)
-    data.AddArray(array)
+    data.AddArray(shared(values, name))

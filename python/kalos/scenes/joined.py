@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Sequence, Union
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 from kalos.core import arrays
+from kalos.core.sharing import shared
 from kalos.errors import InputError
 from kalos.scenes.geometry import DISTRIBUTIONS, MATERIAL
 
@@ -49,10 +50,8 @@ def joined(name, pieces, kind, defaults):
         copy.CopyStructure(piece)
         for key, width in widths.items():
             if width:
-                array = numpy_to_vtk(filled(f"{name}: item {i}", key, known[key][i], defaults[key],
-                                            piece.GetNumberOfElements(kind), width))
-                array.SetName(key)
-                copy.GetAttributes(kind).AddArray(array)
+                values = filled(f"{name}: item {i}", key, known[key][i], defaults[key], piece.GetNumberOfElements(kind), width)
+                copy.GetAttributes(kind).AddArray(shared(values, key))
         append.AddInputData(copy)
     append.Update()
     return append.GetOutput()
