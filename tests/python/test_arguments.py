@@ -50,7 +50,7 @@ KINDS = "expected 0 (isotropic), 1 (Lambertian) or 2 and more (candela tables)"
     (lambda: estimate(POINTS[:, :2].copy()), "points: has shape (3, 2), expected (n, 3) or (rows, columns, 3)"),
     (lambda: estimate(POINTS[0]), "points: has shape (3,), expected (n, 3) or (rows, columns, 3)"),
     (lambda: estimate(np.zeros((0, 3))), "points: has shape (0, 3), expected at least one"),
-    (lambda: estimate(POINTS.astype(int)), "points: has shape (3, 3) and dtype int64, expected float64 or float32"),
+    (lambda: estimate(POINTS > 0), "points: has shape (3, 3) and dtype bool, expected float64 or float32"),
     (lambda: estimate(POINTS.astype(">f8")), "points: has shape (3, 3) and dtype >f8, expected float64 or float32"),
     (lambda: estimate(np.asfortranarray(POINTS)),
      "points: has shape (3, 3) and is not C-contiguous, expected numpy.ascontiguousarray(points)"),

@@ -127,7 +127,8 @@ def test_columns_for_pandas():
     points = grid(3, 2)
     result = kalos.illuminance(room(), lamp(), points, UP, trajectories=64)
     columns = result.as_dict()
-    assert list(columns) == ["x", "y", "z", "nx", "ny", "nz", "illuminance_lx", "standard_error_lx", "direct_lx", "trusted"]
+    assert list(columns) == ["x", "y", "z", "nx", "ny", "nz", "illuminance_lx", "standard_error_lx", "direct_lx", "trusted",
+                             "valid"]
     assert {column.shape for column in columns.values()} == {(6,)}
     np.testing.assert_array_equal(np.column_stack([columns[axis] for axis in "xyz"]), points.reshape(-1, 3))
     assert (columns["nz"] == 1).all() and columns["illuminance_lx"][4] == result.illuminance[1, 1]

@@ -23,6 +23,8 @@ def add(commands):
                             "counted over all sets from 0")
     command.add_argument("--no-prepare", action="store_false", dest="prepare",
                        help="take the surfaces as they are: neither repair them nor look for singular edges")
+    command.add_argument("--all-points", action="store_true",
+                         help="count receivers that are inside a solid, below a surface or outside in means and uniformities, too")
     command.add_argument("--report", action="store_true",
                        help="write report.html as well: plans with isolux lines, tables, luminaires, audit, in one page to print")
     command.add_argument("--hdr", action="store_true", help="write NAME.hdr per camera as well, a Radiance picture")
@@ -48,5 +50,5 @@ def run(arguments):
         take_part(arguments.scene, options_of(arguments), arguments.prepare)
     else:
         solve(arguments.scene, arguments.out, options_of(arguments), say=print, preparing=arguments.prepare,
-              report=arguments.report, hdr=arguments.hdr)
+              report=arguments.report, hdr=arguments.hdr, everywhere=arguments.all_points)
     return 0

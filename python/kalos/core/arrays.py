@@ -22,6 +22,7 @@ ILLUMINANCE_STANDARD_ERROR = "IlluminanceStandardError"
 DIRECT_ILLUMINANCE = "DirectIlluminance"
 ILLUMINANCE_REPLICATES = "IlluminanceReplicates"
 INTERVAL_TRUSTED = "IntervalTrusted"
+VALID = "Valid"
 GOAL_STATUS = "GoalStatus"
 ILLUMINANCE_BANDS = "IlluminanceBands"
 

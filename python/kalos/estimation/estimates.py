@@ -81,11 +81,13 @@ def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, n
     def read(output):
         data, shape = output.GetPointData(), points.shape[:-1]
         bands = data.GetArray(arrays.ILLUMINANCE_BANDS)
-        values = [vtk_to_numpy(data.GetArray(name)).reshape(shape)
-                  for name in (arrays.ILLUMINANCE, arrays.ILLUMINANCE_STANDARD_ERROR, arrays.DIRECT_ILLUMINANCE)]
-        trusted = vtk_to_numpy(data.GetArray(arrays.INTERVAL_TRUSTED)).view(bool).reshape(shape)
-        return Illuminance(points, normals, *values, trusted, bands and vtk_to_numpy(bands).reshape(*shape, -1),
-                           **solved(output, options))
+        values = {key: vtk_to_numpy(data.GetArray(name)).reshape(shape)
+                  for key, name in (("illuminance", arrays.ILLUMINANCE), ("standard_error", arrays.ILLUMINANCE_STANDARD_ERROR),
+                                    ("direct", arrays.DIRECT_ILLUMINANCE))}
+        flags = {key: vtk_to_numpy(data.GetArray(name)).view(bool).reshape(shape)
+                 for key, name in (("trusted", arrays.INTERVAL_TRUSTED), ("valid", arrays.VALID))}
+        return Illuminance(points=points, normals=normals, **values, **flags,
+                           bands=bands and vtk_to_numpy(bands).reshape(*shape, -1), **solved(output, options))
 
     return run(filter_, options, progress, arrays.ILLUMINANCE, read)
 
@@ -120,9 +122,10 @@ def luminance(surfaces: Surfaces, luminaires: Luminaires, position: ArrayLike, t
         columns, rows, _ = output.GetDimensions()
         data = output.GetPointData()
         bands = data.GetArray(arrays.LUMINANCE_BANDS)
-        values = [vtk_to_numpy(data.GetArray(name)).reshape(rows, columns)[::-1]
-                  for name in (arrays.LUMINANCE, arrays.LUMINANCE_STANDARD_ERROR)]
-        return Luminance(*values, bands and vtk_to_numpy(bands).reshape(rows, columns, -1)[::-1], **solved(output, options))
+        values, error = (vtk_to_numpy(data.GetArray(name)).reshape(rows, columns)[::-1]
+                         for name in (arrays.LUMINANCE, arrays.LUMINANCE_STANDARD_ERROR))
+        return Luminance(luminance=values, standard_error=error,
+                         bands=bands and vtk_to_numpy(bands).reshape(rows, columns, -1)[::-1], **solved(output, options))
 
     return run(filter_, options, progress, arrays.LUMINANCE, read)
 

@@ -9,4 +9,6 @@ def false_colours():
     """The colour map, from low to high."""
     table = vtkKalosFalseColor().GetLookupTable()
     colours = [table.GetTableValue(i) for i in range(table.GetNumberOfTableValues())]
-    return ListedColormap(colours, name="kalos")
+    found = ListedColormap(colours, name="kalos")
+    found.set_bad("0.8")  # values that are left out
+    return found

@@ -15,7 +15,7 @@ from kalos.pictures.axonometry import draw_axonometry, seen_cells
 from kalos.pictures.projection import flat_frame
 from kalos.pictures.scale import colour_bar, colour_scale
 from kalos.results.fields import provenance
-from kalos.results.statistics import image_statistics, statistics
+from kalos.results.statistics import image_statistics
 from kalos.results.text import number
 
 WIDTH, HEIGHT, DPI = 7.2, 6.0, 150  # inches, inches, pixels an inch
@@ -27,7 +27,7 @@ DIRECT = "#c2571a"
 def draw_receivers(path, receivers):
     """The picture that suits the receiver set, as PNG."""
     title = f"{receivers.name}: illuminance"
-    figures = statistics(receivers.illuminance, receivers.standard_error, receivers.weights)
+    values, figures = shown(receivers.illuminance, receivers.valid), receivers.statistics()
     if not receivers.cells:
         draw_chart(path, title, receivers)
         return
@@ -35,14 +35,19 @@ def draw_receivers(path, receivers):
     figure, axes = sheet(title, facts(figures, "lx"))
     frame = flat_frame(receivers.points, receivers.normals)
     if frame:
-        scale = colour_scale(receivers.illuminance)
-        draw_map(axes, polygons, receivers.illuminance, scale, frame)
+        scale = colour_scale(values)
+        draw_map(axes, polygons, values, scale, frame)
     else:
         seen = seen_cells(polygons, receivers.normals)
-        scale = colour_scale(receivers.illuminance[seen] if len(seen) else receivers.illuminance)
-        draw_axonometry(axes, polygons, receivers.illuminance, seen, scale)
+        scale = colour_scale(values[seen] if len(seen) else values)
+        draw_axonometry(axes, polygons, values, seen, scale)
     colour_bar(axes, scale, "illuminance, lx")
     save(figure, path, receivers.dataset)
+
+
+def shown(values, valid):
+    """Values without those that statistics leave out, which pictures show in grey."""
+    return np.ma.masked_array(values, ~valid)
 
 
 def draw_image(path, name, image):
@@ -73,8 +78,7 @@ def draw_map(axes, polygons, values, scale, frame):
 
 def draw_chart(path, title, receivers):
     """Values at single points with bars of two standard errors; along a straight line, over the distance."""
-    figures = statistics(receivers.illuminance, receivers.standard_error)
-    figure, axes = sheet(title, facts(figures, "lx"))
+    figure, axes = sheet(title, facts(receivers.statistics(), "lx"))
     along, label = abscissa(receivers.points)
     axes.errorbar(along, receivers.illuminance, yerr=2 * receivers.standard_error, fmt="o", markersize=4, capsize=3,
                   linewidth=1, color=SERIES, label="illuminance, ± 2 standard errors")
@@ -111,6 +115,8 @@ def facts(figures, unit):
     line = f"mean {mean} {unit}, min {low}, max {high}"
     if figures.get("U0") is not None:
         line += f", U0 {figures['U0']:.2f}"
+    if figures.get("left_out"):
+        line += f"; {figures['left_out']} of {figures['points']} points left out"
     worst = figures["largest_relative_standard_error"]
     return line if worst is None else line + f"; largest standard error {100 * worst:.2g} %"
 

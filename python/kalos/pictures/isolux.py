@@ -3,7 +3,7 @@
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkContourFilter, vtkDelaunay2D, vtkStripper
 
 from kalos.core import arrays
@@ -14,7 +14,7 @@ LEVEL, LABEL = "IsoluxLevel", "IsoluxLabel"
 
 def levels(values):
     """Multiples of a round step between the extremes, five to ten of them or so."""
-    low, high = float(np.min(values)), float(np.max(values))
+    low, high = float(np.min(values, initial=np.inf)), float(np.max(values, initial=-np.inf))
     if not high > low:
         return []
     power = 10.0 ** np.floor(np.log10((high - low) / 5))
@@ -31,11 +31,11 @@ def isolux(receivers, at=None):
     frame = flat_frame(receivers.points, receivers.normals) if len(receivers.points) > 2 else None
     if frame is None:
         return None
-    surface = triangulated(receivers, frame)
+    surface = without_points(triangulated(receivers, frame), ~receivers.valid)
     append = vtkAppendPolyData()
     append.AddInputData(vtkPolyData())
     found = []
-    for level in levels(receivers.illuminance) if at is None else at:
+    for level in levels(receivers.illuminance[receivers.valid]) if at is None else at:
         contour = vtkContourFilter()
         contour.SetInputData(surface)
         contour.SetValue(0, level)
@@ -82,6 +82,16 @@ def triangulated(receivers, frame):
     corners = vtkPoints()
     corners.SetData(numpy_to_vtk(np.ascontiguousarray(receivers.points), deep=True))
     mesh.SetPoints(corners)
+    return mesh
+
+
+def without_points(mesh, gone):
+    """A triangle mesh without the triangles that have a corner among the points `gone`."""
+    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    kept = np.ascontiguousarray(corners[~gone[corners].any(axis=1)])
+    cells = vtkCellArray()
+    cells.SetData(3, numpy_to_vtk(kept.ravel(), deep=True))
+    mesh.SetPolys(cells)
     return mesh
 
 

@@ -30,7 +30,7 @@ def illuminance_png(result) -> bytes:
     else:
         drawing.draw_receivers(file, Receivers("points", result.vtk, points, normals, result.illuminance.ravel(),
                                                result.standard_error.ravel(), result.direct.ravel(),
-                                               result.trusted.ravel(), np.ones(len(points))))
+                                               result.trusted.ravel(), result.valid.ravel(), np.ones(len(points))))
     return file.getvalue()
 
 
@@ -40,11 +40,12 @@ def is_grid(result):
 
 def draw_grid(file, result, frame):
     """Every point in the middle of its cell."""
-    figures = statistics(result.illuminance.ravel(), result.standard_error.ravel())
+    figures = statistics(result.illuminance[result.valid], result.standard_error[result.valid])
+    values = drawing.shown(result.illuminance, result.valid)
     figure, axes = drawing.sheet("illuminance", drawing.facts(figures, "lx"))
     across, up = np.moveaxis(frame.project(result.points.reshape(-1, 3)).reshape(*result.points.shape[:2], 2), -1, 0)
-    scale = colour_scale(result.illuminance)
-    axes.pcolormesh(across, up, result.illuminance, shading="nearest", cmap=scale.colours, norm=scale.norm)
+    scale = colour_scale(values)
+    axes.pcolormesh(across, up, values, shading="nearest", cmap=scale.colours, norm=scale.norm)
     axes.set_aspect("equal")
     axes.set_xlabel(frame.right_label)
     axes.set_ylabel(frame.up_label)

@@ -5,7 +5,7 @@ from matplotlib import patheffects
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from kalos.pictures.drawing import DPI, cell_points, draw_map, save
+from kalos.pictures.drawing import DPI, cell_points, draw_map, save, shown
 from kalos.pictures.isolux import polylines
 from kalos.pictures.scale import colour_bar, colour_scale
 from kalos.results import statistics
@@ -23,15 +23,16 @@ def draw_plan(file, receivers, frame, lines):
     FigureCanvasAgg(figure)
     upper, lower = figure.subplots(1, 2) if tall else figure.subplots(2, 1)
     figure.subplots_adjust(hspace=0.35, wspace=0.6)
-    scale = colour_scale(receivers.illuminance)
-    draw_map(upper, polygons, receivers.illuminance, scale, frame)
+    values = shown(receivers.illuminance, receivers.valid)
+    scale = colour_scale(values)
+    draw_map(upper, polygons, values, scale, frame)
     colour_bar(upper, scale, "illuminance, lx")
     upper.set_title("illuminance with isolux lines, lx", loc="left", fontsize=11)
     if high < THIN * wide:
         upper.set_aspect("auto")
         figure.text(0.5, 0.5, "stretched upwards: the axes have different scales", ha="center", fontsize=8, color="0.35")
     draw_isolux(upper, lines, frame)
-    relative = relative_error(receivers.illuminance, receivers.standard_error)
+    relative = shown(relative_error(receivers.illuminance, receivers.standard_error), receivers.valid)
     scale = colour_scale(relative)
     draw_map(lower, polygons, relative, scale, frame)
     colour_bar(lower, scale, "standard error, %")

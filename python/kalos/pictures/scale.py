@@ -20,7 +20,10 @@ class Scale:
 
 
 def colour_scale(values):
-    """From 0 to the largest value; to the 99th percentile where a few spikes would darken all else."""
+    """From 0 to the largest value; to the 99th percentile where a few spikes would darken all else. Masked values do not count."""
+    values = np.ma.compressed(values)
+    if len(values) == 0:
+        return Scale(false_colours(), Normalize(0, 1), False)
     high = float(np.max(values))
     usual = float(np.percentile(values, 99))
     top = round_up(high if high <= 1.5 * usual or usual <= 0 else usual)

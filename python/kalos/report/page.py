@@ -54,14 +54,16 @@ def write_report(folder, scene, reader, receivers, images, result):
 def receiver_sections(folder, receivers, result):
     if not receivers:
         return []
-    head = ("receivers", "points", "mean lx", "min lx", "max lx", "U0 = min/mean", "Ud = min/max", "largest error", "untrusted")
+    head = ("receivers", "points", "mean lx", "min lx", "max lx", "U0 = min/mean", "Ud = min/max", "largest error", "untrusted", "left out")
     rows = []
     for one in receivers:
         values = result["receivers"][one.name]
         worst = values["largest_relative_standard_error"]
         rows.append((one.name, len(one.illuminance), *(with_error(values, key) for key in ("mean", "min", "max", "U0", "Ud")),
-                     "-" if worst is None else f"{100 * worst:.2g} %", values["untrusted"]))
-    sections = ["<h2>Illuminance</h2>", table(head, rows, numbers=range(1, 9))]
+                     "-" if worst is None else f"{100 * worst:.2g} %", values["untrusted"], values["left_out"]))
+    sections = ["<h2>Illuminance</h2>", table(head, rows, numbers=range(1, 10))]
+    if any(result["receivers"][one.name]["left_out"] for one in receivers):
+        sections.append("<p class='facts'>Left out: points inside a solid, below a surface or outside, grey in the pictures.</p>")
     for one in receivers:
         sections.append(f"<div class='together'><h3>{escape(one.name)}</h3>{receiver_picture(folder, one)}</div>")
     return sections

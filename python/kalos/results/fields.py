@@ -27,3 +27,8 @@ def audit(output, name=arrays.AUDIT):
         return []
     cells = [table.GetValue(i) for i in range(table.GetNumberOfValues())]
     return [dict(zip(("subject", "choice", "reason"), cells[i:i + 3])) for i in range(0, len(cells), 3)]
+
+
+def warnings_of(entries):
+    """What an audit warns of, a line each; in one of several solves a subject has the solve behind it: `warning, camera front`."""
+    return [f"{one['choice']}: {one['reason']}" for one in entries if one["subject"].split(", ")[0] == "warning"]

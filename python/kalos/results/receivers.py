@@ -12,6 +12,7 @@ from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 
 from kalos.core import arrays
 from kalos.errors import FAILED, KalosError
+from kalos.results.statistics import statistics
 
 
 @dataclass
@@ -26,9 +27,17 @@ class Receivers:
     standard_error: np.ndarray  # lx
     direct: np.ndarray  # lx
     trusted: np.ndarray  # bool: whether the standard error can be believed
+    valid: np.ndarray  # bool: False inside a solid, below a surface or outside; statistics leave these out
     weights: np.ndarray  # areas of the cells, m2, or ones: what a mean over the set weighs by
     replicates: Optional[np.ndarray] = None  # (n, replicates) lx: independent estimates, of which illuminance is the mean
     goal: np.ndarray = None  # what results.statistics.goal() counts; only where a goal for the error was set
+
+    def statistics(self, everywhere=False):
+        """The figures of statistics.statistics() over the valid receivers, or over all of them, and how many were left out."""
+        chosen = np.ones_like(self.valid) if everywhere else self.valid
+        found = statistics(self.illuminance[chosen], self.standard_error[chosen], self.weights[chosen],
+                           None if self.replicates is None else self.replicates[chosen])
+        return {**found, "points": len(chosen), "left_out": int((~chosen).sum())}
 
     @property
     def cells(self):
@@ -50,13 +59,13 @@ def from_dataset(name, dataset):
         weights = np.ones(len(points))
     read = [vtk_to_numpy(data.GetArray(key)).astype(float)
             for key in (arrays.ILLUMINANCE, arrays.ILLUMINANCE_STANDARD_ERROR, arrays.DIRECT_ILLUMINANCE)]
-    trusted = vtk_to_numpy(data.GetArray(arrays.INTERVAL_TRUSTED)) != 0
+    trusted, valid = (vtk_to_numpy(data.GetArray(key)) != 0 for key in (arrays.INTERVAL_TRUSTED, arrays.VALID))
     replicates = data.GetArray(arrays.ILLUMINANCE_REPLICATES)
     if replicates:  # they are for figures, too many to write
         replicates = vtk_to_numpy(replicates).reshape(len(points), -1)
         data.RemoveArray(arrays.ILLUMINANCE_REPLICATES)
     goal = vtk_to_numpy(data.GetArray(arrays.GOAL_STATUS)) if data.HasArray(arrays.GOAL_STATUS) else None
-    return Receivers(name, dataset, points, vtk_to_numpy(data.GetNormals()).astype(float), *read, trusted, weights, replicates,
+    return Receivers(name, dataset, points, vtk_to_numpy(data.GetNormals()).astype(float), *read, trusted, valid, weights, replicates,
                      goal)
 
 

@@ -15,6 +15,10 @@ def relative_error(values, standard_error):
     return np.divide(standard_error, values, out=dark, where=values > rounding)
 
 
+FIGURES = ("mean", "mean_standard_error", "min", "min_standard_error", "max", "max_standard_error", "U0", "U0_standard_error", "Ud",
+           "Ud_standard_error", "largest_relative_standard_error")
+
+
 def statistics(values, standard_error, weights=None, replicates=None):
     """Mean, extremes, uniformities U0 = min/mean and Ud = min/max, each with its standard error, and the largest relative
     standard error of a single value that is not dark.
@@ -22,8 +26,10 @@ def statistics(values, standard_error, weights=None, replicates=None):
     A ratio to nothing is None. The mean weighs by `weights` (areas); the smallest value is not corrected for noise. Values
     share trajectories, so that the errors of mean and ratios come from the `replicates` (n, P): the spread of the means, and
     to first order that of the ratios, at the places of the extremes. Without replicates the mean's is an upper bound, and
-    those of the ratios are None.
+    those of the ratios are None. Of no values, all is None.
     """
+    if len(values) == 0:
+        return dict.fromkeys(FIGURES)
     mean = float(np.average(values, weights=weights))
     low, high = float(values.min()), float(values.max())
     worst = float(relative_error(values, standard_error).max())
@@ -35,11 +41,9 @@ def statistics(values, standard_error, weights=None, replicates=None):
         mean_error = error_of(means)
         ratio_errors = [ratio_error(replicates[least], whole, value) if value else None
                         for whole, value in ((means, mean), (replicates[most], high))]
-    return {"mean": mean, "mean_standard_error": mean_error, "min": low, "min_standard_error": float(standard_error[least]),
-            "max": high, "max_standard_error": float(standard_error[most]),
-            "U0": low / mean if mean else None, "U0_standard_error": ratio_errors[0],
-            "Ud": low / high if high else None, "Ud_standard_error": ratio_errors[1],
-            "largest_relative_standard_error": worst if math.isfinite(worst) else None}
+    return dict(zip(FIGURES, (mean, mean_error, low, float(standard_error[least]), high, float(standard_error[most]),
+                              low / mean if mean else None, ratio_errors[0], low / high if high else None, ratio_errors[1],
+                              worst if math.isfinite(worst) else None)))
 
 
 def error_of(replicates):

@@ -2,7 +2,7 @@
 """Receiver sets as CSV: one line a receiver, in full precision."""
 import numpy as np
 
-HEADER = "x,y,z,nx,ny,nz,illuminance_lx,standard_error_lx,direct_lx"
+HEADER = "x,y,z,nx,ny,nz,illuminance_lx,standard_error_lx,direct_lx,trusted,valid"
 
 
 def write_csv(path, receivers):
@@ -10,5 +10,5 @@ def write_csv(path, receivers):
                                receivers.direct])
     with open(path, "w", encoding="ascii", newline="\n") as file:
         file.write(HEADER + "\n")
-        for row in columns.tolist():
-            file.write(",".join(map(repr, row)) + "\n")
+        for row, trusted, valid in zip(columns.tolist(), receivers.trusted, receivers.valid):
+            file.write(",".join(map(repr, row)) + f",{trusted:d},{valid:d}\n")

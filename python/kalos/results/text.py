@@ -45,6 +45,8 @@ def result_text(summary):
     if any(figures["untrusted"] for figures in summary["receivers"].values()):
         lines.append("  untrusted: receivers whose standard error can not be believed, as single scores carry the estimate")
     for name, figures in summary["receivers"].items():
+        if figures["left_out"]:
+            lines.append(f"  {figures['left_out']} of {figures['points']} points of {name} are left out: inside a solid, below a surface or outside")
         if figures.get("goal", {}).get("missed"):
             lines.append(f"  {figures['goal']['missed']} receivers of {name} missed the error asked for; the audit says why")
     return "\n".join(lines)

@@ -18,11 +18,12 @@ def refuse(name, array, what, expected):
 def numbers(name, value, shapes, types=FLOATS) -> np.ndarray:
     """`value` as an array of one of the `shapes`, tuples of sizes and of letters that stand for any size.
 
-    NumPy arrays are never copied, so they must have the right dtype and be C-contiguous; lists and numbers are converted.
+    NumPy arrays of `types` are not copied, so they must be C-contiguous; other integers, lists and numbers are converted.
     Raises InputError, which is a ValueError.
     """
     wanted = " or ".join("(" + ", ".join(map(str, shape)) + ("," if len(shape) == 1 else "") + ")" for shape in shapes)
-    array = value if isinstance(value, np.ndarray) else converted(name, value, wanted, types[0])
+    given = isinstance(value, np.ndarray) and not (value.dtype.kind in "iu" and value.dtype not in types)
+    array = value if given else converted(name, value, wanted, types[0])
     if not any(fits(array.shape, shape) for shape in shapes):
         refuse(name, array, "", wanted)
     if array.dtype not in types:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scene files and models read, and what is in them."""
 import os
-from collections import Counter
 
 from kalos.core import arrays
 from kalos.errors import update
@@ -19,11 +18,10 @@ def read_scene(path):
 
 
 def photometry_warnings(reader):
-    """What the scene's photometric files made one doubt or repair: counts by code, and every warning."""
+    """What the scene's photometric files made one doubt or repair: a list of {code, file, message}."""
     table = reader.GetLuminaires().GetFieldData().GetAbstractArray(arrays.PHOTOMETRY_WARNINGS)
     cells = [table.GetValue(i) for i in range(table.GetNumberOfValues())]
-    found = [dict(zip(("code", "file", "message"), cells[i:i + 3])) for i in range(0, len(cells), 3)]
-    return {"count": len(found), "codes": dict(Counter(one["code"] for one in found)), "list": found}
+    return [dict(zip(("code", "file", "message"), cells[i:i + 3])) for i in range(0, len(cells), 3)]
 
 
 def receiver_names(reader):

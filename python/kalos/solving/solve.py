@@ -3,6 +3,7 @@
 import os
 import sys
 import time
+from collections import Counter
 from pathlib import Path
 
 from kalos._version import __version__
@@ -16,7 +17,7 @@ from kalos.pictures import drawing
 from kalos.preparation.scene import UNPREPARED, prepare_scene
 from kalos.results import fields, text
 from kalos.results.receivers import from_dataset
-from kalos.results.statistics import goal, image_statistics, statistics
+from kalos.results.statistics import goal, image_statistics
 from kalos.results.tables import write_csv
 from kalos.scenes.reading import MODELS, camera_names, photometry_warnings, read_scene, receiver_names
 from kalos.solving.glare import rate_glare
@@ -25,13 +26,15 @@ from kalos.solving.memory import check_memory
 from kalos.vtk import vtkKalosEXRWriter
 
 
-def solve(scene, out, options=Options(), say=lambda line: None, preparing=True, report=False, hdr=False):
+def solve(scene, out, options=Options(), say=lambda line: None, preparing=True, report=False, hdr=False,
+          everywhere=False):
     """Solves the scene file, or the model (.glb, .gltf, .obj), into the folder `out` and returns what stands in summary.json.
 
     Every receiver set gives NAME.csv, NAME.vtp and NAME.png, every camera NAME.exr and NAME.png. `say` gets the audit,
     the result table and the paths of the pictures. With `preparing` the surfaces are repaired first, and the audit says
-    where they meet at singular edges. `hdr` adds NAME.hdr per camera, a Radiance picture. `report` adds report.html, and NAME-isolux.vtp for flat receiver sets. Raises
-    KalosError; the folder then holds nothing new.
+    where they meet at singular edges. `hdr` adds NAME.hdr per camera, a Radiance picture. `report` adds report.html, and NAME-isolux.vtp
+    for flat receiver sets. `everywhere` lets statistics count receivers inside solids, below surfaces and outside, which are left out
+    otherwise. Raises KalosError; the folder then holds nothing new.
     """
     started = time.perf_counter()
     reader, prepared = set_up(scene, preparing)
@@ -40,16 +43,13 @@ def solve(scene, out, options=Options(), say=lambda line: None, preparing=True, 
         with named_options():
             receivers, images, outputs = estimate(reader, options, prepared)
         observers, glare = rate_glare(reader, receivers, prepared)
-        result = summarise(scene, options, receivers, images, outputs)
+        result = summarise(scene, options, receivers, images, outputs, everywhere)
         result["observers"] = observers
         result["audit"] = fields.audit(reader.GetSurfaces(), arrays.SCENE_NOTES) + prepared.audit + result["audit"] + glare
         result["setup_seconds"] = setup
-        result["warnings"] = photometry_warnings(reader)
+        result["warnings"] = warnings(reader, scene, result["audit"])
         for one in result["warnings"]["list"]:
             print(f"kalos: warning: {one['file']}: {one['message']}", file=sys.stderr)
-        for one in result["audit"]:
-            if one["subject"] == "warning":
-                print(f"kalos: warning: {scene}: {one['choice']}: {one['reason']}", file=sys.stderr)
         say("audit")
         say(text.audit_text(result["audit"]))
         write(folder, receivers, images, result)
@@ -140,12 +140,11 @@ def estimate(reader, options, prepared):
     return receivers, images, outputs
 
 
-def summarise(scene, options, receivers, images, outputs):
-    """The content of summary.json."""
+def summarise(scene, options, receivers, images, outputs, everywhere=False):
+    """The content of summary.json; with `everywhere` statistics count the receivers that are not valid, too."""
     labels = ["receivers"] * bool(receivers) + [f"camera {name}" for name in images]
     audit = text.joined_audit(dict(zip(labels, map(fields.audit, outputs))))
-    sets = {r.name: {**statistics(r.illuminance, r.standard_error, r.weights, r.replicates),
-                     "untrusted": int((~r.trusted).sum()), "trajectories": fields.trajectories(outputs[0]),
+    sets = {r.name: {**r.statistics(everywhere), "untrusted": int((~r.trusted).sum()), "trajectories": fields.trajectories(outputs[0]),
                      **({} if r.goal is None else {"goal": goal(r.goal)})}
             for r in receivers}
     cameras = {name: {**image_statistics(image), "trajectories": fields.trajectories(image)}
@@ -154,6 +153,13 @@ def summarise(scene, options, receivers, images, outputs):
             "receivers": sets, "cameras": cameras,
             "seconds": sum(fields.field_value(o, arrays.SOLVE_SECONDS) or 0.0 for o in outputs),
             "cpu_seconds": sum(fields.field_value(o, arrays.SOLVE_CPU_SECONDS) or 0.0 for o in outputs)}
+
+
+def warnings(reader, scene, audit):
+    """What photometric files made one doubt or repair, and the warnings of the audit: counts by code, and every one."""
+    found = photometry_warnings(reader) + [{"code": "audit", "file": str(scene), "message": message}
+                                           for message in fields.warnings_of(audit)]
+    return {"count": len(found), "codes": dict(Counter(one["code"] for one in found)), "list": found}
 
 
 def write(folder, receivers, images, result):
