@@ -68,7 +68,7 @@ KINDS = "expected 0 (isotropic), 1 (Lambertian) or 2 and more (candela tables)"
     (lambda: estimate(surfaces=5), "surfaces: item 0 is of int, expected vtkPolyData or a list of them"),
     (lambda: estimate(luminaires=[None]), "luminaires: item 0 is of NoneType, expected vtkPolyData or a list of them"),
     (lambda: estimate(luminaires=[kalos.luminaire((1, 1, 1), 5), from_file()]),
-     "luminaires: item 1 refers to a candela table of its own, expected such a piece alone, not in a list"),
+     "luminaires: item 1 refers to a candela table that it does not have, expected the field data arrays CandelaTable0 and CandelaPoles"),
     (lambda: estimate(surfaces=[mesh(), kalos.luminaire((1, 1, 1), 5)]),
      "surfaces: item 1 has no array Reflectance, expected what kalos.surface() or kalos.luminaire() makes"),
     (lambda: estimate(surfaces=[mesh(reflectance=[[0.1, 0.2, 0.3]]), mesh(reflectance=[[0.1, 0.2]])]),

@@ -4,7 +4,6 @@ import argparse
 import re
 import sys
 
-from kalos.core.options import TECHNIQUES
 from kalos.core.limits import COUNT, SEED, length, method
 from kalos.errors import BAD_INPUT
 from kalos.peers import NAMES as PEERS
@@ -27,15 +26,6 @@ class Parser(argparse.ArgumentParser):
 def methods(text):
     """Methods of Kalos, each once."""
     return tuple(dict.fromkeys(method(name) for name in text.split(",")))
-
-
-def techniques(text):
-    """Techniques to switch off, each once."""
-    names = tuple(dict.fromkeys(text.split(",")))
-    for name in names:
-        if name not in TECHNIQUES:
-            raise argparse.ArgumentTypeError(f"{name!r} is not allowed, expected some of {', '.join(TECHNIQUES)}")
-    return names
 
 
 def peers(text):

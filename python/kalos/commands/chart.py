@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`kalos chart`: the error of every method against time."""
 from kalos.commands.arguments import PEERS, methods, peers
-from kalos.core.options import METHODS, REFERENCE_TRAJECTORIES
 from kalos.core.limits import COUNT, SEED, TIME, quantity
+from kalos.core.options import METHODS, REFERENCE_TRAJECTORIES
 
 
 def add(commands):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Options that several commands have in common, and the estimate they ask for."""
-from kalos.core.options import DEFAULT_METHOD, METHODS, Options
 from kalos.core.limits import COUNT, SEED, THREADS, length
+from kalos.core.options import DEFAULT_METHOD, METHODS, Options
 
 
 def add_method_options(command, method):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`kalos solve`: a scene into a folder of tables and pictures."""
 from kalos import ranks
-from kalos.commands.arguments import receiver_and_replicate, techniques
+from kalos.commands.arguments import receiver_and_replicate
 from kalos.commands.options import add_method_options, options_of
+from kalos.core.limits import FLOOR, RELATIVE, TIME, techniques
 from kalos.core.options import DEFAULT_METHOD, TECHNIQUES
-from kalos.core.limits import FLOOR, RELATIVE, TIME
 
 
 def add(commands):

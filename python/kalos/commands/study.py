@@ -2,8 +2,8 @@
 """`kalos study`: a scene with every combination of settings."""
 from kalos.commands.arguments import sweep
 from kalos.commands.options import add_method_options, options_of
-from kalos.core.options import REFERENCE_TRAJECTORIES
 from kalos.core.limits import COUNT
+from kalos.core.options import REFERENCE_TRAJECTORIES
 
 
 def add(commands):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`kalos validate`: every method against closed forms."""
-from kalos.core.options import METHODS
 from kalos.core.limits import COUNT, SEED
+from kalos.core.options import METHODS
 from kalos.errors import FAILED
 
 

@@ -3,7 +3,8 @@
 import argparse
 import math
 
-from kalos.core.options import METHODS
+from kalos.core.options import METHODS, TECHNIQUES, Options
+from kalos.errors import InputError
 
 
 def quantity(kind, expected, accept):
@@ -39,3 +40,34 @@ def method(text):
     if text not in METHODS:
         raise argparse.ArgumentTypeError(f"{text!r} is not allowed, expected one of {', '.join(METHODS)}")
     return text
+
+
+def techniques(text):
+    """Techniques to switch off, each once."""
+    names = tuple(dict.fromkeys(text.split(",")))
+    for name in names:
+        if name not in TECHNIQUES:
+            raise argparse.ArgumentTypeError(f"{name!r} is not allowed, expected some of {', '.join(TECHNIQUES)}")
+    return names
+
+
+TYPES = {"method": method, "trajectories": COUNT, "error": RELATIVE, "error_floor": FLOOR, "time": TIME, "delta": GIVEN_LENGTH,
+         "epsilon": GIVEN_LENGTH, "seed": SEED, "threads": THREADS}
+
+
+def checked_options(disable=(), checkpoint=None, **given):
+    """Options from the arguments of a Python call, held to what the command allows; InputError names the one that is not."""
+    values = {}
+    for name, value in given.items():
+        if value is not None or name in ("method", "seed", "threads"):
+            values[name] = converted(name, TYPES[name], str(value))
+    if disable:
+        values["disable"] = converted("disable", techniques, disable if isinstance(disable, str) else ",".join(disable))
+    return Options(**values, checkpoint=checkpoint)
+
+
+def converted(name, convert, text):
+    try:
+        return convert(text)
+    except argparse.ArgumentTypeError as wrong:
+        raise InputError(f"{name}: {wrong}") from None

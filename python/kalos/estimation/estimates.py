@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import pathlib
-from argparse import ArgumentTypeError
 from typing import Callable, Optional, Tuple, Union
 
 import numpy as np
@@ -13,9 +12,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
 
-from kalos.core import limits
 from kalos.core import arrays
-from kalos.core.options import DEFAULT_METHOD, Options, named_options
+from kalos.core.limits import checked_options
+from kalos.core.options import DEFAULT_METHOD, named_options
 from kalos.core.progress import watch
 from kalos.core.sharing import shared
 from kalos.errors import BAD_INPUT, InputError, Interrupted, KalosError
@@ -27,10 +26,6 @@ from kalos.scenes.joined import Luminaires, Surfaces, joined_luminaires, joined_
 from kalos.vtk import vtkKalosIlluminance, vtkKalosLuminanceImage
 
 Progress = Union[None, bool, Callable[[float], None]]
-
-TYPES = {"method": limits.method, "trajectories": limits.COUNT, "error": limits.RELATIVE,
-         "error_floor": limits.FLOOR, "time": limits.TIME, "delta": limits.GIVEN_LENGTH,
-         "epsilon": limits.GIVEN_LENGTH, "seed": limits.SEED, "threads": limits.THREADS}
 
 
 def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, normals: ArrayLike, *,
@@ -68,7 +63,8 @@ def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, n
     >>> sorted(result.as_dict())[:3]
     ['direct_lx', 'illuminance_lx', 'nx']
     """
-    options = checked(locals())
+    options = checked_options(method=method, trajectories=trajectories, error=error, error_floor=error_floor, time=time, delta=delta,
+                              epsilon=epsilon, seed=seed, threads=threads, checkpoint=checkpoint)
     points = non_empty("points", numbers("points", points, [("n", 3), ("rows", "columns", 3)]))
     normals = units("normals", normals, [points.shape, (3,)])
     if normals.ndim == 1:
@@ -108,7 +104,8 @@ def luminance(surfaces: Surfaces, luminaires: Luminaires, position: ArrayLike, t
     >>> picture.luminance.shape
     (12, 16)
     """
-    options = checked(locals())
+    options = checked_options(method=method, trajectories=trajectories, error=error, error_floor=error_floor, time=time, delta=delta,
+                              epsilon=epsilon, seed=seed, threads=threads, checkpoint=checkpoint)
     filter_ = vtkKalosLuminanceImage()
     filter_.SetInputData(0, joined_surfaces(surfaces))
     filter_.SetInputData(1, joined_luminaires(luminaires))
@@ -128,19 +125,6 @@ def luminance(surfaces: Surfaces, luminaires: Luminaires, position: ArrayLike, t
                          bands=bands and vtk_to_numpy(bands).reshape(rows, columns, -1)[::-1], **solved(output, options))
 
     return run(filter_, options, progress, arrays.LUMINANCE, read)
-
-
-def checked(given) -> Options:
-    """The options among the arguments of a call, held to what the command allows."""
-    values = {}
-    for name, convert in TYPES.items():
-        if given[name] is None and name not in ("method", "seed", "threads"):
-            continue
-        try:
-            values[name] = convert(str(given[name]))
-        except ArgumentTypeError as wrong:
-            raise InputError(f"{name}: {wrong}") from None
-    return Options(**values, checkpoint=given["checkpoint"])
 
 
 def receivers(points, normals):

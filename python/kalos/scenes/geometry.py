@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes from NumPy arrays: surfaces and luminaires as vtkPolyData with the arrays that the filters read.
+"""Surfaces from NumPy arrays, as vtkPolyData with the arrays that the filters read.
 
-Lengths are metres, flux is in lumens. NumPy arrays of numbers are shared with VTK, not copied: they must be C-contiguous,
+Lengths are metres. NumPy arrays of numbers are shared with VTK, not copied: they must be C-contiguous,
 float64 or float32, and a later change of the array changes the scene (call Modified() on the vtkPolyData). Indices, int64 or
 int32, are copied: vtkCellArray can not keep NumPy's memory alive. Whatever is wrong with an argument is a ValueError that
 names it.
@@ -16,11 +16,9 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from kalos.core import arrays
 from kalos.core.sharing import shared
-from kalos.errors import InputError
 from kalos.scenes.checks import INTEGERS, non_empty, numbers, refuse, within
+from kalos.scenes.defaults import MATERIAL
 
-MATERIAL = {arrays.EXITANCE: 0.0, arrays.SPECULAR: 0.0, arrays.ROUGHNESS: 1.0, arrays.MIRROR: 0.0}  # when not given
-DISTRIBUTIONS = {"isotropic": 0, "lambertian": 1}
 BOX = np.array([(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)])  # normals outwards
 
 
@@ -88,55 +86,6 @@ def box(center: ArrayLike, size: ArrayLike, reflectance: ArrayLike, *, rotation_
     turn = np.array([[np.cos(angle), np.sin(angle), 0], [-np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
     faces = np.ascontiguousarray(BOX[:, ::-1] if inwards else BOX)
     return surface(corners @ turn + center, faces, reflectance, **material)
-
-
-def luminaire(position: ArrayLike, flux: ArrayLike, aim: ArrayLike = (0, 0, -1), distribution: str = "lambertian") -> vtkPolyData:
-    """Point luminaires: position (3,) or (n, 3), m; flux a number or (n,), lm; aim (3,) or (n, 3), of any length.
-
-    distribution: "lambertian", I = flux/pi cos about the aim, or "isotropic", I = flux/(4 pi).
-
-    >>> lamps = luminaire([(1, 1.5, 2.9), (3, 1.5, 2.9)], 2000)
-    >>> lamps.GetNumberOfPoints()
-    2
-    """
-    if distribution not in DISTRIBUTIONS:
-        raise InputError(f"distribution: is {distribution!r}, expected one of {', '.join(DISTRIBUTIONS)}")
-    return lamps("position", position, flux, aim, distribution, np.zeros(3), np.zeros(3))
-
-
-def panel(center: ArrayLike, u: ArrayLike, v: ArrayLike, flux: ArrayLike, aim: ArrayLike = (0, 0, -1)) -> vtkPolyData:
-    """Luminous rectangles with full sides u and v, m: center (3,) or (n, 3); u, v and aim (3,) or (n, 3); flux a number or
-    (n,), lm, which leaves on the side of `aim` by Lambert's law.
-
-    >>> panels = panel([(1, 1, 2.99), (3, 1, 2.99)], (0.6, 0, 0), (0, 0.6, 0), 3600)
-    """
-    u, v = (numbers(name, value, [(3,), ("n", 3)]) for name, value in (("u", u), ("v", v)))
-    across = np.cross(u, v)
-    if not (np.linalg.norm(across, axis=-1) > 0).all():
-        refuse("v", v, " and spans no area with u", "a side at a right angle to u")
-    if (np.abs((u * v).sum(axis=-1)) > 1e-6 * np.linalg.norm(u, axis=-1) * np.linalg.norm(v, axis=-1)).any():
-        refuse("v", v, " and is not at a right angle to u", "a rectangle")
-    aimed = numbers("aim", aim, [(3,), ("n", 3)])
-    lengths = np.linalg.norm(across, axis=-1) * np.linalg.norm(aimed, axis=-1)
-    if not (np.abs((across * aimed).sum(axis=-1)) > (1 - 1e-6) * lengths).all():
-        refuse("aim", aimed, " and is not at a right angle to u and v", "u x v or its opposite")
-    return lamps("center", center, flux, aimed, "lambertian", u, v)
-
-
-def lamps(name, position, flux, aim, distribution, u, v):
-    places = np.atleast_2d(non_empty(name, numbers(name, position, [(3,), ("n", 3)])))
-    count = len(places)
-    flux = within("flux", numbers("flux", flux, [(), ("n",)]), 0, np.inf, "lumens >= 0")
-    aim = numbers("aim", aim, [(3,), ("n", 3)])
-    if not (np.linalg.norm(aim, axis=-1) > 0).all():
-        refuse("aim", aim, " and is zero", "a direction")
-    result = poly_data(places)
-    data = result.GetPointData()
-    put(data, arrays.LUMINOUS_FLUX, of_each(flux, "flux", count))
-    for key, label, vectors in ((arrays.DIRECTION, "aim", aim), (arrays.SIDE_U, "u", u), (arrays.SIDE_V, "v", v)):
-        put(data, key, of_each(vectors, label, count, 3))
-    put(data, arrays.DISTRIBUTION, np.full(count, DISTRIBUTIONS[distribution], np.int32))
-    return result
 
 
 def of_each(values, name, count, components=None):

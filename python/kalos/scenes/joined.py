@@ -12,13 +12,11 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from kalos.core import arrays
 from kalos.core.sharing import shared
 from kalos.errors import InputError
-from kalos.scenes.geometry import DISTRIBUTIONS, MATERIAL
+from kalos.scenes.candela_tables import Tables
+from kalos.scenes.defaults import LAMP, MATERIAL
 
 Surfaces = Union[vtkPolyData, Sequence[vtkPolyData]]
 Luminaires = Union[vtkPolyData, Sequence[vtkPolyData], None]
-
-LAMP = {arrays.DIRECTION: (0.0, 0.0, -1.0), arrays.DISTRIBUTION: DISTRIBUTIONS["lambertian"], arrays.SIDE_U: (0.0, 0.0, 0.0),
-        arrays.SIDE_V: (0.0, 0.0, 0.0)}
 
 
 def joined_surfaces(pieces: Surfaces) -> vtkPolyData:
@@ -41,19 +39,19 @@ def joined(name, pieces, kind, defaults):
     given = [piece.GetAttributes(kind) for piece in pieces]
     known = {key: [data.GetArray(key) for data in given] for key in defaults}
     widths = {key: max((a.GetNumberOfComponents() for a in found if a), default=0) for key, found in known.items()}
-    for i, found in enumerate(known.get(arrays.DISTRIBUTION, ())):
-        if found and found.GetNumberOfTuples() and found.GetRange()[1] > max(DISTRIBUTIONS.values()):
-            raise InputError(f"{name}: item {i} refers to a candela table of its own, expected such a piece alone, not in a list")
-    append = vtkAppendPolyData()
+    append, tables = vtkAppendPolyData(), Tables()
     for i, piece in enumerate(pieces):
         copy = vtkPolyData()
         copy.CopyStructure(piece)
         for key, width in widths.items():
             if width:
                 values = filled(f"{name}: item {i}", key, known[key][i], defaults[key], piece.GetNumberOfElements(kind), width)
+                if key == arrays.DISTRIBUTION:
+                    values = tables.renumbered(f"{name}: item {i}", piece, values)
                 copy.GetAttributes(kind).AddArray(shared(values, key))
         append.AddInputData(copy)
     append.Update()
+    tables.attach(append.GetOutput())
     return append.GetOutput()
 
 
