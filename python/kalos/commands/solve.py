@@ -8,7 +8,9 @@ from kalos.core.options import DEFAULT_METHOD, TECHNIQUES
 
 
 def add(commands):
-    command = commands.add_parser("solve", help="solve a scene into a folder of tables and pictures")
+    command = commands.add_parser("solve", help="solve a scene into a folder of tables and pictures",
+                                  epilog="The format of scene files is described by `kalos schema`, that of summary.json by "
+                                         "`kalos schema summary`.")
     command.add_argument("scene", metavar="SCENE", help="the scene file (.json), or a model with light in it (.glb, .gltf, .obj)")
     command.add_argument("--out", metavar="DIR", required=True, help="folder for the results; made if it is not there")
     add_method_options(command, DEFAULT_METHOD)
