@@ -5,7 +5,7 @@ A scene in memory: surface(), quad() and box() make surfaces from NumPy arrays, 
 illuminance() and luminance() estimate it and return an Illuminance or a Luminance with a standard error for every value.
 
 A scene file: Scene reads, builds, changes and writes one. solve() writes a folder of tables and pictures as the command
-`kalos solve` does; study(), chart() and validate() are the other commands.
+`kalos solve` does, its pictures in the Look asked for; study(), chart() and validate() are the other commands.
 
 Every VTK class is here as well, for pipelines: vtkKalosSceneReader, vtkKalosIlluminance and so on; help(kalos.vtk) lists them.
 kalos.ranks.join() lets the processes of mpiexec share a solve. kalos.photometry draws photometric files, kalos.metrics has
@@ -17,10 +17,11 @@ from kalos.calls import chart, solve, study, validate
 from kalos.errors import InputError, Interrupted, KalosError
 from kalos.estimation.estimates import illuminance, luminance
 from kalos.estimation.results import Illuminance, Luminance
+from kalos.pictures.look import Look
 from kalos.scenes.geometry import box, quad, surface
 from kalos.scenes.luminaires import luminaire, panel
 from kalos.scenes.scene import Scene
 from kalos.vtk import *  # noqa: F403
 
-__all__ = ["Illuminance", "InputError", "Interrupted", "KalosError", "Luminance", "Scene", "__version__", "box", "chart", "illuminance",
+__all__ = ["Illuminance", "InputError", "Interrupted", "KalosError", "Look", "Luminance", "Scene", "__version__", "box", "chart", "illuminance",
            "luminaire", "luminance", "panel", "quad", "solve", "study", "surface", "validate"]

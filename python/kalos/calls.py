@@ -8,6 +8,7 @@ from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Union
 from kalos.core.limits import checked_options
 from kalos.core.options import DEFAULT_METHOD, REFERENCE_TRAJECTORIES, named_options
 from kalos.errors import InputError
+from kalos.pictures.look import LOOK, Look
 from kalos.scenes.scene import Scene, scene_file
 
 SceneLike = Union[Scene, str, "os.PathLike[str]"]
@@ -22,19 +23,19 @@ def solve(scene: SceneLike, out: Union[str, os.PathLike[str]], *, method: str = 
           error: Optional[float] = None, error_floor: Optional[float] = None, time: Optional[float] = None,
           delta: Optional[float] = None, epsilon: Optional[float] = None, seed: int = 1, threads: int = 0,
           disable: Sequence[str] = (), prepare: bool = True, report: bool = False, hdr: bool = False, all_points: bool = False,
-          say: Say = silent) -> Dict[str, Any]:
+          look: Look = LOOK, say: Say = silent) -> Dict[str, Any]:
     """Solves a scene into the folder `out`, as `kalos solve` does; returns what stands in its summary.json.
 
     scene: a kalos.Scene, or the path of a scene file or model. delta, epsilon: m; error_floor: lx; time: s. prepare: repair the
     surfaces first. report: write report.html. hdr: write Radiance pictures. all_points: count receivers inside solids in the
-    statistics. say: gets the lines that the command prints. `kalos solve --help` tells more of each. Raises KalosError.
+    statistics. look: range, kind of scale and colours of the pictures. say: gets the lines that the command prints. `kalos solve --help` tells more of each. Raises KalosError.
     """
     from kalos.solving.solve import solve as run
 
     options = checked_options(method=method, trajectories=trajectories, error=error, error_floor=error_floor, time=time, delta=delta,
                               epsilon=epsilon, seed=seed, threads=threads, disable=disable)
     with scene_file(scene) as path:
-        return run(path, out, options, say, prepare, report, hdr, all_points)
+        return run(path, out, options, say, prepare, report, hdr, all_points, look)
 
 
 def study(scene: SceneLike, out: Union[str, os.PathLike[str]], sweep: Mapping[str, Sequence[Any]], *, method: str = DEFAULT_METHOD,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Words of the command line turned into values; one line for each that can not be."""
 import argparse
+import math
 import re
 import sys
 
@@ -35,6 +36,17 @@ def peers(text):
         if name not in PEERS:
             raise argparse.ArgumentTypeError(f"{name!r} is not allowed, expected none, or some of {', '.join(PEERS)}")
     return names
+
+
+def ends(text):
+    """LOW:HIGH, two numbers of which the second is larger."""
+    try:
+        low, high = (float(part) for part in text.split(":"))
+    except ValueError:
+        low, high = math.nan, math.nan
+    if not (0 <= low < high < math.inf):
+        raise argparse.ArgumentTypeError(f"{text!r} is not allowed, expected LOW:HIGH, such as 0:500, with 0 <= LOW < HIGH")
+    return low, high
 
 
 def receiver_and_replicate(text):

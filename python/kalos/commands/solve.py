@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`kalos solve`: a scene into a folder of tables and pictures."""
 from kalos import ranks
-from kalos.commands.arguments import receiver_and_replicate
+from kalos.commands.arguments import ends, receiver_and_replicate
 from kalos.commands.options import add_method_options, options_of
 from kalos.core.limits import FLOOR, RELATIVE, TIME, techniques
 from kalos.core.options import DEFAULT_METHOD, TECHNIQUES
+from kalos.pictures.look import OWN_COLOURS, Look
 
 
 def add(commands):
@@ -27,10 +28,25 @@ def add(commands):
                        help="take the surfaces as they are: neither repair them nor look for singular edges")
     command.add_argument("--all-points", action="store_true",
                          help="count receivers that are inside a solid, below a surface or outside in means and uniformities, too")
+    add_look(command)
     command.add_argument("--report", action="store_true",
                        help="write report.html as well: plans with isolux lines, tables, luminaires, audit, in one page to print")
     command.add_argument("--hdr", action="store_true", help="write NAME.hdr per camera as well, a Radiance picture")
     command.set_defaults(run=run)
+
+
+def add_look(command):
+    add = command.add_argument
+    add("--range", metavar="LOW:HIGH", type=ends, help="ends of the scale of illuminance in pictures, lx (auto: 0 to the largest value)")
+    add("--luminance-range", metavar="LOW:HIGH", type=ends, help="ends of the scale of luminance in pictures, cd/m2 (auto)")
+    add("--log", action="store_true", help="a logarithmic scale in pictures; three decades if the range is automatic")
+    add("--colours", metavar="NAME", default=OWN_COLOURS,
+        help="colours of pictures: kalos, or a colour map of Matplotlib such as viridis or gray (%(default)s)")
+    add("--isolines", action="store_true", help="draw lines of equal illuminance on flat receiver sets, of equal luminance on images")
+
+
+def look_of(arguments):
+    return Look(arguments.range, arguments.luminance_range, arguments.log, arguments.colours, arguments.isolines)
 
 
 def add_goals(command):
@@ -52,5 +68,5 @@ def run(arguments):
         take_part(arguments.scene, options_of(arguments), arguments.prepare)
     else:
         solve(arguments.scene, arguments.out, options_of(arguments), say=print, preparing=arguments.prepare,
-              report=arguments.report, hdr=arguments.hdr, everywhere=arguments.all_points)
+              report=arguments.report, hdr=arguments.hdr, everywhere=arguments.all_points, look=look_of(arguments))
     return 0

@@ -12,6 +12,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from kalos.core import arrays
 from kalos.pictures.axonometry import draw_axonometry, seen_cells
+from kalos.pictures.isolux import draw_isolux, isolux, levels
+from kalos.pictures.look import LOOK
 from kalos.pictures.projection import flat_frame
 from kalos.pictures.scale import colour_bar, colour_scale
 from kalos.results.fields import provenance
@@ -24,7 +26,7 @@ SERIES = "#0b5d8f"
 DIRECT = "#c2571a"
 
 
-def draw_receivers(path, receivers):
+def draw_receivers(path, receivers, look=LOOK):
     """The picture that suits the receiver set, as PNG."""
     title = f"{receivers.name}: illuminance"
     values, figures = shown(receivers.illuminance, receivers.valid), receivers.statistics()
@@ -35,11 +37,13 @@ def draw_receivers(path, receivers):
     figure, axes = sheet(title, facts(figures, "lx"))
     frame = flat_frame(receivers.points, receivers.normals)
     if frame:
-        scale = colour_scale(values)
+        scale = colour_scale(values, look.illuminance, look)
         draw_map(axes, polygons, values, scale, frame)
+        if look.isolines:
+            draw_isolux(axes, isolux(receivers), frame)
     else:
         seen = seen_cells(polygons, receivers.normals)
-        scale = colour_scale(values[seen] if len(seen) else values)
+        scale = colour_scale(values[seen] if len(seen) else values, look.illuminance, look)
         draw_axonometry(axes, polygons, values, seen, scale)
     colour_bar(axes, scale, "illuminance, lx")
     save(figure, path, receivers.dataset)
@@ -50,13 +54,16 @@ def shown(values, valid):
     return np.ma.masked_array(values, ~valid)
 
 
-def draw_image(path, name, image):
+def draw_image(path, name, image, look=LOOK):
     """What a camera sees, as PNG."""
     columns, rows, _ = image.GetDimensions()
     luminance = vtk_to_numpy(image.GetPointData().GetArray(arrays.LUMINANCE)).reshape(rows, columns)
     figure, axes = sheet(f"{name}: luminance", facts(image_statistics(image), "cd/m²"))
-    scale = colour_scale(luminance)
+    scale = colour_scale(luminance, look.luminance, look)
     axes.imshow(luminance, origin="lower", cmap=scale.colours, norm=scale.norm, interpolation="nearest")
+    if look.isolines and levels(luminance):
+        lines = axes.contour(luminance, levels=levels(luminance), colors="white", linewidths=0.9)
+        axes.clabel(lines, fmt="%g", fontsize=7)
     axes.set_axis_off()
     colour_bar(axes, scale, "luminance, cd/m²")
     save(figure, path, image)
@@ -101,7 +108,7 @@ def abscissa(points):
         along = offset @ (farthest / length)
         if np.linalg.norm(offset - np.outer(along, farthest / length), axis=1).max() < 1e-9 * length:
             return along, "distance from the first point, m"
-    return np.arange(1, len(points) + 1), "number of the point in the table"
+    return np.arange(len(points)), "number of the receiver in the table, from 0"
 
 
 def cell_points(dataset, index):

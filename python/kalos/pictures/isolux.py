@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Isolux lines of a flat receiver set: lines of equal illuminance as vtkPolyData, each with its level and label."""
 import numpy as np
+from matplotlib import patheffects
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -104,3 +105,24 @@ def polylines(lines):
     ends, corners = vtk_to_numpy(cells.GetOffsetsArray()), vtk_to_numpy(cells.GetConnectivityArray())
     level, label = lines.GetCellData().GetArray(LEVEL), lines.GetCellData().GetAbstractArray(LABEL)
     return [(level.GetValue(i), label.GetValue(i), points[corners[ends[i]:ends[i + 1]]]) for i in range(len(ends) - 1)]
+
+
+def draw_isolux(axes, lines, frame):
+    """White lines with dark rims, so that they show on every colour; labels where a long line leaves room for one."""
+    rim = [patheffects.withStroke(linewidth=2.4, foreground="0.15")]
+    found = [(label, frame.project(points)) for _, label, points in polylines(lines)]
+    lengths = [np.linalg.norm(np.diff(points, axis=0), axis=1).sum() for _, points in found]
+    low, high = axes.dataLim.get_points()
+    size, placed = max(high - low), []
+    for k in np.argsort(lengths)[::-1]:
+        label, points = found[k]
+        axes.plot(points[:, 0], points[:, 1], color="white", linewidth=0.9, path_effects=rim)
+        if lengths[k] < 0.1 * size:
+            continue
+        for share in (0.5, 0.25, 0.75, 0.1, 0.9):
+            at = points[int(share * (len(points) - 1))]
+            if all(np.linalg.norm((at - other) / (high - low)) > 0.06 for other in placed):
+                placed.append(at)
+                axes.text(*at, label.removesuffix(" lx"), fontsize=7, color="white", ha="center", va="center",
+                          path_effects=rim, clip_on=True)
+                break

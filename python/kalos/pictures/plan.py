@@ -1,19 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The plan of a flat receiver set: false colour, isolux lines with their labels, and the error beside it."""
 import numpy as np
-from matplotlib import patheffects
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from kalos.pictures.drawing import DPI, cell_points, draw_map, save, shown
-from kalos.pictures.isolux import polylines
+from kalos.pictures.isolux import draw_isolux
 from kalos.pictures.scale import colour_bar, colour_scale
 from kalos.results import statistics
 
 THIN = 0.2  # height over width below which a plan is stretched
 
 
-def draw_plan(file, receivers, frame, lines):
+def draw_plan(file, receivers, frame, lines, look):
     """Illuminance with isolux lines on the left, its relative standard error on the right, as PNG."""
     polygons = [cell_points(receivers.dataset, i) for i in range(receivers.dataset.GetNumberOfCells())]
     flat = np.concatenate([frame.project(p) for p in polygons])
@@ -24,7 +23,7 @@ def draw_plan(file, receivers, frame, lines):
     upper, lower = figure.subplots(1, 2) if tall else figure.subplots(2, 1)
     figure.subplots_adjust(hspace=0.35, wspace=0.6)
     values = shown(receivers.illuminance, receivers.valid)
-    scale = colour_scale(values)
+    scale = colour_scale(values, look.illuminance, look)
     draw_map(upper, polygons, values, scale, frame)
     colour_bar(upper, scale, "illuminance, lx")
     upper.set_title("illuminance with isolux lines, lx", loc="left", fontsize=11)
@@ -46,24 +45,3 @@ def relative_error(illuminance, standard_error):
     """In percent; 0 where it is dark."""
     found = 100 * statistics.relative_error(illuminance, standard_error)
     return np.where(np.isfinite(found), found, 0)
-
-
-def draw_isolux(axes, lines, frame):
-    """White lines with dark rims, so that they show on every colour; labels where a long line leaves room for one."""
-    rim = [patheffects.withStroke(linewidth=2.4, foreground="0.15")]
-    found = [(label, frame.project(points)) for _, label, points in polylines(lines)]
-    lengths = [np.linalg.norm(np.diff(points, axis=0), axis=1).sum() for _, points in found]
-    low, high = axes.dataLim.get_points()
-    size, placed = max(high - low), []
-    for k in np.argsort(lengths)[::-1]:
-        label, points = found[k]
-        axes.plot(points[:, 0], points[:, 1], color="white", linewidth=0.9, path_effects=rim)
-        if lengths[k] < 0.1 * size:
-            continue
-        for share in (0.5, 0.25, 0.75, 0.1, 0.9):
-            at = points[int(share * (len(points) - 1))]
-            if all(np.linalg.norm((at - other) / (high - low)) > 0.06 for other in placed):
-                placed.append(at)
-                axes.text(*at, label.removesuffix(" lx"), fontsize=7, color="white", ha="center", va="center",
-                          path_effects=rim, clip_on=True)
-                break

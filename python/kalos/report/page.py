@@ -34,15 +34,15 @@ td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; } img { max-
 """
 
 
-def write_report(folder, scene, reader, receivers, images, result):
+def write_report(folder, scene, reader, receivers, images, result, look):
     """report.html, and NAME-isolux.vtp for every flat receiver set that has isolux lines."""
     body = [f"<h1>{escape(Path(scene).stem)}: lighting calculation</h1>",
             f"<p class='facts'>Kalos {escape(result['kalos'])}, method {escape(result['method'])}, seed {result['seed']}, "
             f"{result['seconds']:.3g} s ({result['cpu_seconds']:.3g} s of processor time). Every value is an estimate; ± is one "
             "standard error, two of them hold the true value in about 95 of 100 cases.</p>"]
-    body += receiver_sections(folder, [one for one in receivers if one.name not in result["observers"]], result)
+    body += receiver_sections(folder, [one for one in receivers if one.name not in result["observers"]], result, look)
     body += glare_section(result)
-    body += camera_sections(images, result)
+    body += camera_sections(images, look)
     body += luminaire_section(scene, reader, result)
     body += ["<h2>What was modelled, and why</h2>",
              table(("subject", "choice", "reason"), [(e["subject"], e["choice"], e["reason"]) for e in result["audit"]])]
@@ -51,7 +51,7 @@ def write_report(folder, scene, reader, receivers, images, result):
     (folder / "report.html").write_text(page, encoding="utf-8")
 
 
-def receiver_sections(folder, receivers, result):
+def receiver_sections(folder, receivers, result, look):
     if not receivers:
         return []
     head = ("receivers", "points", "mean lx", "min lx", "max lx", "U0 = min/mean", "Ud = min/max", "largest error", "untrusted", "left out")
@@ -65,17 +65,17 @@ def receiver_sections(folder, receivers, result):
     if any(result["receivers"][one.name]["left_out"] for one in receivers):
         sections.append("<p class='facts'>Left out: points inside a solid, below a surface or outside, grey in the pictures.</p>")
     for one in receivers:
-        sections.append(f"<div class='together'><h3>{escape(one.name)}</h3>{receiver_picture(folder, one)}</div>")
+        sections.append(f"<div class='together'><h3>{escape(one.name)}</h3>{receiver_picture(folder, one, look)}</div>")
     return sections
 
 
-def receiver_picture(folder, one):
+def receiver_picture(folder, one, look):
     lines = isolux(one) if one.cells else None
     file = io.BytesIO()
     if lines is None:
-        drawing.draw_receivers(file, one)
+        drawing.draw_receivers(file, one, look)
         return embedded(file, f"illuminance of {one.name}")
-    draw_plan(file, one, flat_frame(one.points, one.normals), lines)
+    draw_plan(file, one, flat_frame(one.points, one.normals), lines, look)
     write_vtp(folder / f"{one.name}-isolux.vtp", lines)
     return embedded(file, f"plan of {one.name} with isolux lines")
 
@@ -90,13 +90,13 @@ def glare_section(result):
             "<p class='facts'>Unified glare rating of CIE 117; - where no source is seen.</p>"]
 
 
-def camera_sections(images, result):
+def camera_sections(images, look):
     if not images:
         return []
     sections = ["<h2>Luminance</h2>"]
     for name, image in images.items():
         file = io.BytesIO()
-        drawing.draw_image(file, name, image)
+        drawing.draw_image(file, name, image, look)
         sections.append(f"<div class='together'><h3>{escape(name)}</h3>{embedded(file, f'luminance seen from {name}')}</div>")
     return sections
 

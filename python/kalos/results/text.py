@@ -42,6 +42,7 @@ def result_text(summary):
         lines += aligned([["observer", "UGR", "background cd/m²", "sources"],
                           *([name, with_error(figures, "UGR"), with_error(figures, "background_luminance"),
                              str(figures["sources"])] for name, figures in summary["observers"].items())])
+    lines.append("  ± is one standard error: the true value is within two of them in about 95 of 100 cases")
     if any(figures["untrusted"] for figures in summary["receivers"].values()):
         lines.append("  untrusted: receivers whose standard error can not be believed, as single scores carry the estimate")
     for name, figures in summary["receivers"].items():

@@ -14,6 +14,7 @@ from kalos.core.progress import run
 from kalos.errors import KalosError, update
 from kalos.estimation.filters import illuminance_filter, luminance_filter
 from kalos.pictures import drawing
+from kalos.pictures.look import LOOK
 from kalos.preparation.scene import UNPREPARED, prepare_scene
 from kalos.results import fields, text
 from kalos.results.receivers import from_dataset
@@ -27,16 +28,17 @@ from kalos.vtk import vtkKalosEXRWriter
 
 
 def solve(scene, out, options=Options(), say=lambda line: None, preparing=True, report=False, hdr=False,
-          everywhere=False):
+          everywhere=False, look=LOOK):
     """Solves the scene file, or the model (.glb, .gltf, .obj), into the folder `out` and returns what stands in summary.json.
 
     Every receiver set gives NAME.csv, NAME.vtp and NAME.png, every camera NAME.exr and NAME.png. `say` gets the audit,
     the result table and the paths of the pictures. With `preparing` the surfaces are repaired first, and the audit says
     where they meet at singular edges. `hdr` adds NAME.hdr per camera, a Radiance picture. `report` adds report.html, and NAME-isolux.vtp
     for flat receiver sets. `everywhere` lets statistics count receivers inside solids, below surfaces and outside, which are left out
-    otherwise. Raises KalosError; the folder then holds nothing new.
+    otherwise. `look` is that of the pictures. Raises KalosError; the folder then holds nothing new.
     """
     started = time.perf_counter()
+    look.check()
     reader, prepared = set_up(scene, preparing)
     setup = time.perf_counter() - started
     with staged(out) as folder:
@@ -52,13 +54,13 @@ def solve(scene, out, options=Options(), say=lambda line: None, preparing=True, 
             print(f"kalos: warning: {one['file']}: {one['message']}", file=sys.stderr)
         say("audit")
         say(text.audit_text(result["audit"]))
-        write(folder, receivers, images, result)
+        write(folder, receivers, images, result, look)
         if hdr:
             write_hdr(folder, reader, images)
         if report:
             from kalos.report.page import write_report  # its pictures take seconds to import and to draw
 
-            write_report(folder, scene, reader, receivers, images, result)
+            write_report(folder, scene, reader, receivers, images, result, look)
         kept = [options.checkpoint, *(options.of_camera(name).checkpoint for name in images)] if options.checkpoint else []
         paths = [Path(out) / name for name in sorted(os.listdir(folder)) if name.endswith(".png")]
     for file in kept:  # the results are in place
@@ -162,16 +164,16 @@ def warnings(reader, scene, audit):
     return {"count": len(found), "codes": dict(Counter(one["code"] for one in found)), "list": found}
 
 
-def write(folder, receivers, images, result):
+def write(folder, receivers, images, result, look):
     """Tables, data sets, pictures and the summary."""
     write_json(folder / "summary.json", result)
     for one in receivers:
         write_csv(folder / f"{one.name}.csv", one)
         write_vtp(folder / f"{one.name}.vtp", one.dataset)
-        drawing.draw_receivers(folder / f"{one.name}.png", one)
+        drawing.draw_receivers(folder / f"{one.name}.png", one, look)
     for name, image in images.items():
         writer = vtkKalosEXRWriter()
         writer.SetFileName(str(folder / f"{name}.exr"))
         writer.SetInputData(image)
         update(writer, writer.Write)
-        drawing.draw_image(folder / f"{name}.png", name, image)
+        drawing.draw_image(folder / f"{name}.png", name, image, look)

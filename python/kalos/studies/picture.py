@@ -36,7 +36,7 @@ def draw_study(path, subject, rows, estimates, cells, reference, near):
 
     write(MARGIN, 0.2, f"{subject.name}: {subject.quantity}, each panel from 0 to its own maximum", fontsize=13)
     write(MARGIN, 0.5, error_line(reference, near), fontsize=9, color=GREY)
-    scale = Scale(false_colours(), Normalize(0, 1), False)
+    scale = Scale(false_colours(), Normalize(0, 1), "neither")
     for i, row in enumerate(rows):
         top = HEAD + i * row_height
         write(MARGIN, top, row.title, fontsize=11, weight="bold")
