@@ -12,16 +12,20 @@ kalos.ranks.join() lets the processes of mpiexec share a solve. kalos.photometry
 cylindrical and semi-cylindrical illuminance. What is wrong with an argument raises InputError, a ValueError; other failures
 raise KalosError; Ctrl-C raises Interrupted.
 """
-from kalos._version import __version__
-from kalos.calls import chart, solve, study, validate
-from kalos.errors import InputError, Interrupted, KalosError
-from kalos.estimation.estimates import illuminance, luminance
-from kalos.estimation.results import Illuminance, Luminance
-from kalos.pictures.look import Look
-from kalos.scenes.geometry import box, quad, surface
-from kalos.scenes.luminaires import luminaire, panel
-from kalos.scenes.scene import Scene
-from kalos.vtk import *  # noqa: F403
+from kalos import _interpreter
+
+_interpreter.check()
+
+from kalos._build import __version__  # noqa: E402
+from kalos.calls import chart, solve, study, validate  # noqa: E402
+from kalos.errors import InputError, Interrupted, KalosError  # noqa: E402
+from kalos.estimation.estimates import illuminance, luminance  # noqa: E402
+from kalos.estimation.results import Illuminance, Luminance  # noqa: E402
+from kalos.pictures.look import Look  # noqa: E402
+from kalos.scenes.geometry import box, quad, surface  # noqa: E402
+from kalos.scenes.luminaires import luminaire, panel  # noqa: E402
+from kalos.scenes.scene import Scene  # noqa: E402
+from kalos.vtk import *  # noqa: E402,F403
 
 __all__ = ["Illuminance", "InputError", "Interrupted", "KalosError", "Look", "Luminance", "Scene", "__version__", "box", "chart", "illuminance",
            "luminaire", "luminance", "panel", "quad", "solve", "study", "surface", "validate"]

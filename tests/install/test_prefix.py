@@ -12,6 +12,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ["KALOS_BUILD"])
+VERSION, = re.findall(r"^project\(Kalos VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)
 SCENE = ROOT / "data" / "cornell" / "cornell-empty.json"
 
 
@@ -44,7 +45,7 @@ def test_nothing_points_into_the_build_tree(prefix):
 
 def test_command_on_the_path(prefix, tmp_path):
     path = f"{prefix}/bin:{os.environ['PATH']}"
-    assert run("kalos", "--version", PATH=path).stdout == "kalos 0.1.0\n"
+    assert run("kalos", "--version", PATH=path).stdout == f"kalos {VERSION}\n"
     solved = run("kalos", "solve", SCENE, "--out", tmp_path / "out", "--trajectories", 64, PATH=path)
     assert solved.returncode == 0, solved.stderr
     assert json.loads((tmp_path / "out" / "summary.json").read_text())["receivers"]
@@ -52,7 +53,7 @@ def test_command_on_the_path(prefix, tmp_path):
 
 def test_command_through_a_link(prefix, tmp_path):
     (tmp_path / "kalos").symlink_to(prefix / "bin" / "kalos")
-    assert run(tmp_path / "kalos", "--version").stdout == "kalos 0.1.0\n"
+    assert run(tmp_path / "kalos", "--version").stdout == f"kalos {VERSION}\n"
 
 
 def test_package_by_pythonpath(prefix):

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from kalos._version import __version__
+from kalos._build import __version__
 from kalos.charts.contenders import PEERS, Room, View, assemble
 from kalos.charts.convergence import FARTHEST, Truth, bias, deviation_of_mean, errors, time_to
 from kalos.charts.picture import draw_chart

@@ -4,7 +4,7 @@ import sys
 import traceback
 
 from kalos import ranks
-from kalos._version import __version__
+from kalos._build import __version__
 from kalos.commands import chart, prepare, schema, solve, study, validate
 from kalos.commands.arguments import Parser
 from kalos.errors import FAILED, KalosError

@@ -6,7 +6,7 @@ import time
 from collections import Counter
 from pathlib import Path
 
-from kalos._version import __version__
+from kalos._build import __version__
 from kalos.core import arrays
 from kalos.core.options import Options, named_options
 from kalos.core.output import staged, write_json, write_vtp

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from kalos._version import __version__
+from kalos._build import __version__
 from kalos.core.options import REFERENCE_METHOD, REFERENCE_SEED, Options, named_options
 from kalos.core.output import staged, write_json
 from kalos.errors import KalosError
