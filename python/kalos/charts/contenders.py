@@ -11,13 +11,14 @@ from kalos.core.progress import run
 from kalos.errors import KalosError
 from kalos.estimation.filters import illuminance_filter, luminance_filter
 from kalos.peers import NAMES, Absent, Run
-from kalos.peers.description import band_weights, beyond, describe, materials
+from kalos.peers.description import beyond, describe, materials
 from kalos.peers.mitsuba3 import Mitsuba
 from kalos.peers.radiance import CachedRadiance, Radiance
 from kalos.results.fields import audit, field_value, trajectories
 from kalos.results.receivers import from_dataset
 from kalos.results.statistics import error_of
 from kalos.scenes.clearance import triangles
+from kalos.scenes.photometric import band_weights
 from kalos.scenes.reading import camera_names, receiver_names
 from kalos.scenes.sight import camera_rays, first_faces, normals_towards
 from kalos.studies.subject import Estimate, Subject

@@ -8,6 +8,7 @@ import sys
 from kalos.core.limits import COUNT, SEED, length, method
 from kalos.errors import BAD_INPUT
 from kalos.peers import NAMES as PEERS
+from kalos.results.tasks import Task
 
 
 class Parser(argparse.ArgumentParser):
@@ -47,6 +48,15 @@ def ends(text):
     if not (0 <= low < high < math.inf):
         raise argparse.ArgumentTypeError(f"{text!r} is not allowed, expected LOW:HIGH, such as 0:500, with 0 <= LOW < HIGH")
     return low, high
+
+
+def task(text):
+    """NAME:LX or NAME:LX:U0; a name may hold colons itself."""
+    found = re.fullmatch(r"(.+?):([0-9.]+)(?::(0?\.[0-9]+|[01]))?", text)
+    try:
+        return Task(found[1], float(found[2]), None if found[3] is None else float(found[3]))
+    except (TypeError, ValueError):
+        raise argparse.ArgumentTypeError(f"{text!r} is not allowed, expected NAME:LX or NAME:LX:U0, such as desk:500:0.6") from None
 
 
 def receiver_and_replicate(text):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`kalos solve`: a scene into a folder of tables and pictures."""
 from kalos import ranks
-from kalos.commands.arguments import ends, receiver_and_replicate
+from kalos.commands.arguments import ends, receiver_and_replicate, task
 from kalos.commands.options import add_method_options, options_of
 from kalos.core.limits import FLOOR, RELATIVE, TIME, techniques
 from kalos.core.options import DEFAULT_METHOD, TECHNIQUES
@@ -31,6 +31,10 @@ def add(commands):
     add_look(command)
     command.add_argument("--report", action="store_true",
                        help="write report.html as well: plans with isolux lines, tables, luminaires, audit, in one page to print")
+    command.add_argument("--author", metavar="NAME", help="whom report.html names beside the date (nobody)")
+    command.add_argument("--require", metavar="NAME:LX[:U0]", type=task, action="append", default=[],
+                         help="required mean illuminance and uniformity of a receiver set, as of a task of EN 12464-1: pass or fail in the "
+                              "table, summary.json and report.html; may be repeated")
     command.add_argument("--hdr", action="store_true", help="write NAME.hdr per camera as well, a Radiance picture")
     command.set_defaults(run=run)
 
@@ -68,5 +72,6 @@ def run(arguments):
         take_part(arguments.scene, options_of(arguments), arguments.prepare)
     else:
         solve(arguments.scene, arguments.out, options_of(arguments), say=print, preparing=arguments.prepare,
-              report=arguments.report, hdr=arguments.hdr, everywhere=arguments.all_points, look=look_of(arguments))
+              report=arguments.report, hdr=arguments.hdr, everywhere=arguments.all_points, look=look_of(arguments),
+              tasks=arguments.require, author=arguments.author)
     return 0

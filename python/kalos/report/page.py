@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`kalos solve --report`: one self-contained HTML page to read, to print and to hand on."""
-import base64
 import io
 import json
+import time
 from html import escape
 from pathlib import Path
 
@@ -15,6 +15,9 @@ from kalos.pictures import drawing
 from kalos.pictures.isolux import isolux
 from kalos.pictures.plan import draw_plan
 from kalos.pictures.projection import flat_frame
+from kalos.report.grid import grid_section
+from kalos.report.html import embedded, table
+from kalos.report.surfaces import surface_section
 from kalos.results.text import number, with_error
 from kalos.scenes.reading import MODELS
 
@@ -28,22 +31,27 @@ table { border-collapse: collapse; width: 100%; margin: .5rem 0; font-size: .88r
 th, td { text-align: left; padding: .28rem .6rem .28rem 0; border-bottom: 1px solid #d5dbdf; vertical-align: top; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; } img { max-width: 100%; display: block; margin: .5rem 0; }
 .warning { color: #8a3b00; }
+table.grid { font-size: .72rem; } table.grid td, table.grid th { padding: .1rem .25rem; }
 @page { size: A4; margin: 15mm; }
 @media print { body { margin: 0; padding: 0; max-width: none; font-size: 11px; } h2, h3 { break-after: avoid; }
-  img, tr, .together { break-inside: avoid; } img { max-height: 230mm; } }
+  thead { display: table-header-group; } img, tr, .together { break-inside: avoid; } img { max-height: 230mm; } }
 """
 
 
-def write_report(folder, scene, reader, receivers, images, result, look):
+def write_report(folder, scene, reader, receivers, images, result, look, author=None):
     """report.html, and NAME-isolux.vtp for every flat receiver set that has isolux lines."""
+    by = f", by {escape(author)}" if author else ""
     body = [f"<h1>{escape(Path(scene).stem)}: lighting calculation</h1>",
+            f"<p class='facts'>{time.strftime('%Y-%m-%d')}{by}</p>",
             f"<p class='facts'>Kalos {escape(result['kalos'])}, method {escape(result['method'])}, seed {result['seed']}, "
             f"{result['seconds']:.3g} s ({result['cpu_seconds']:.3g} s of processor time). Every value is an estimate; ± is one "
             "standard error, two of them hold the true value in about 95 of 100 cases.</p>"]
     body += receiver_sections(folder, [one for one in receivers if one.name not in result["observers"]], result, look)
+    body += task_section(result)
     body += glare_section(result)
     body += camera_sections(images, look)
     body += luminaire_section(scene, reader, result)
+    body += surface_section(reader)
     body += ["<h2>What was modelled, and why</h2>",
              table(("subject", "choice", "reason"), [(e["subject"], e["choice"], e["reason"]) for e in result["audit"]])]
     page = (f"<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>{escape(Path(scene).stem)}: lighting calculation"
@@ -65,7 +73,7 @@ def receiver_sections(folder, receivers, result, look):
     if any(result["receivers"][one.name]["left_out"] for one in receivers):
         sections.append("<p class='facts'>Left out: points inside a solid, below a surface or outside, grey in the pictures.</p>")
     for one in receivers:
-        sections.append(f"<div class='together'><h3>{escape(one.name)}</h3>{receiver_picture(folder, one, look)}</div>")
+        sections.append(f"<div class='together'><h3>{escape(one.name)}</h3>{receiver_picture(folder, one, look)}</div>{grid_section(one)}")
     return sections
 
 
@@ -78,6 +86,19 @@ def receiver_picture(folder, one, look):
     draw_plan(file, one, flat_frame(one.points, one.normals), lines, look)
     write_vtp(folder / f"{one.name}-isolux.vtp", lines)
     return embedded(file, f"plan of {one.name} with isolux lines")
+
+
+def task_section(result):
+    if not result["tasks"]:
+        return []
+    rows = []
+    for task in result["tasks"]:
+        figures = result["receivers"][task["receivers"]]
+        rows.append((task["receivers"], f"{task['required_mean']:g}", with_error(figures, "mean"),
+                     f"{task['required_U0']:g}" if "required_U0" in task else "-", with_error(figures, "U0"), task["result"]))
+    return ["<h2>Required values</h2>", table(("task", "mean required, lx", "mean, lx", "U0 required", "U0", "result"), rows, numbers=range(1, 5)),
+            "<p class='facts'>As EN 12464-1 asks of task areas. A value within two standard errors of its limit is undecided. No "
+            "maintenance factor is applied.</p>"]
 
 
 def glare_section(result):
@@ -133,15 +154,3 @@ def described_luminaires(scene):
     if Path(scene).suffix.lower() in MODELS:
         return {}
     return {one["name"]: one for one in json.loads(Path(scene).read_text(encoding="utf-8-sig")).get("luminaires", [])}
-
-
-def table(head, rows, numbers=()):
-    mark = ["n" if i in numbers else "" for i in range(len(head))]
-    line = lambda tag, cells: "<tr>" + "".join(  # noqa: E731
-        f"<{tag} class='{m}'>{escape(str(c))}</{tag}>" for m, c in zip(mark, cells)) + "</tr>"
-    return "<table>" + line("th", head) + "".join(line("td", row) for row in rows) + "</table>"
-
-
-def embedded(file, text):
-    data = base64.b64encode(file.getvalue()).decode("ascii")
-    return f"<img alt='{escape(text, quote=True)}' src='data:image/png;base64,{data}'>"

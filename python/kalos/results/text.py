@@ -42,6 +42,9 @@ def result_text(summary):
         lines += aligned([["observer", "UGR", "background cd/m²", "sources"],
                           *([name, with_error(figures, "UGR"), with_error(figures, "background_luminance"),
                              str(figures["sources"])] for name, figures in summary["observers"].items())])
+    for task in summary.get("tasks", ()):
+        limits = f"mean {task['required_mean']:g} lx" + (f", U0 {task['required_U0']:g}" if "required_U0" in task else "")
+        lines.append(f"  {task['receivers']}: {limits} required: {task['result']}")
     lines.append("  ± is one standard error: the true value is within two of them in about 95 of 100 cases")
     if any(figures["untrusted"] for figures in summary["receivers"].values()):
         lines.append("  untrusted: receivers whose standard error can not be believed, as single scores carry the estimate")

@@ -20,6 +20,7 @@ from kalos.results import fields, text
 from kalos.results.receivers import from_dataset
 from kalos.results.statistics import goal, image_statistics
 from kalos.results.tables import write_csv
+from kalos.results.tasks import check_names, judged
 from kalos.scenes.reading import MODELS, camera_names, photometry_warnings, read_scene, receiver_names
 from kalos.solving.glare import rate_glare
 from kalos.solving.hdr import write_hdr
@@ -28,18 +29,21 @@ from kalos.vtk import vtkKalosEXRWriter
 
 
 def solve(scene, out, options=Options(), say=lambda line: None, preparing=True, report=False, hdr=False,
-          everywhere=False, look=LOOK):
+          everywhere=False, look=LOOK,
+          tasks=(), author=None):
     """Solves the scene file, or the model (.glb, .gltf, .obj), into the folder `out` and returns what stands in summary.json.
 
     Every receiver set gives NAME.csv, NAME.vtp and NAME.png, every camera NAME.exr and NAME.png. `say` gets the audit,
     the result table and the paths of the pictures. With `preparing` the surfaces are repaired first, and the audit says
     where they meet at singular edges. `hdr` adds NAME.hdr per camera, a Radiance picture. `report` adds report.html, and NAME-isolux.vtp
     for flat receiver sets. `everywhere` lets statistics count receivers inside solids, below surfaces and outside, which are left out
-    otherwise. `look` is that of the pictures. Raises KalosError; the folder then holds nothing new.
+    otherwise. `look` is that of the pictures. `tasks` are requirements, a
+    kalos.results.tasks.Task each. Raises KalosError; the folder then holds nothing new.
     """
     started = time.perf_counter()
     look.check()
     reader, prepared = set_up(scene, preparing)
+    check_names(tasks, receiver_names(reader))
     setup = time.perf_counter() - started
     with staged(out) as folder:
         with named_options():
@@ -47,6 +51,7 @@ def solve(scene, out, options=Options(), say=lambda line: None, preparing=True, 
         observers, glare = rate_glare(reader, receivers, prepared)
         result = summarise(scene, options, receivers, images, outputs, everywhere)
         result["observers"] = observers
+        result["tasks"] = judged(tasks, result["receivers"])
         result["audit"] = fields.audit(reader.GetSurfaces(), arrays.SCENE_NOTES) + prepared.audit + result["audit"] + glare
         result["setup_seconds"] = setup
         result["warnings"] = warnings(reader, scene, result["audit"])
@@ -60,7 +65,7 @@ def solve(scene, out, options=Options(), say=lambda line: None, preparing=True, 
         if report:
             from kalos.report.page import write_report  # its pictures take seconds to import and to draw
 
-            write_report(folder, scene, reader, receivers, images, result, look)
+            write_report(folder, scene, reader, receivers, images, result, look, author)
         kept = [options.checkpoint, *(options.of_camera(name).checkpoint for name in images)] if options.checkpoint else []
         paths = [Path(out) / name for name in sorted(os.listdir(folder)) if name.endswith(".png")]
     for file in kept:  # the results are in place
