@@ -78,7 +78,7 @@ def test_summary(solved):
     folder, _, _ = solved
     summary = json.loads((folder / "summary.json").read_text())
     assert sorted(summary) == ["audit", "cameras", "cpu_seconds", "kalos", "method", "observers", "receivers", "scene", "seconds", "seed",
-                               "setup_seconds", "warnings"]
+                               "setup_seconds", "tasks", "warnings"]
     assert summary["warnings"] == {"count": 0, "codes": {}, "list": []}
     assert (summary["kalos"], summary["method"], summary["seed"]) == (kalos.__version__, "compensated", 7)
     assert summary["seconds"] > 0 and summary["cpu_seconds"] > 0 and summary["setup_seconds"] > 0

@@ -9,6 +9,7 @@ import threading
 import time
 
 from kalos import ranks
+from kalos.core.unblocked import update_unblocked
 from kalos.errors import FAILED, KalosError, update
 
 WIDTH = 30
@@ -78,28 +79,38 @@ def watch(algorithm, progress=None, label="", signals=(signal.SIGINT,)):
     tell = bar.show if bar else progress or (lambda fraction: None)
     raised = []
 
-    def show(caller, _event):
-        if raised or not 0 < caller.GetProgress() < 1:  # VTK reports 1 after a failure too
+    def show(fraction):
+        if raised or not 0 < fraction < 1:  # VTK reports 1 after a failure too
             return
         try:
-            tell(caller.GetProgress())
+            tell(fraction)
         except BaseException as error:
             raised.append(error)
             algorithm.SetAbortExecute(1)
 
     with stop_signals(algorithm, signals) as stop:
-        tag = algorithm.AddObserver("ProgressEvent", show)
         try:
-            update(algorithm)
+            followed_update(algorithm, show)
             if not stop and not raised:
                 tell(1)
         finally:
-            algorithm.RemoveObserver(tag)
             if bar:
                 bar.close()
     if raised:
         raise raised[0]
     return bool(stop)
+
+
+def followed_update(algorithm, show):
+    """Updates an algorithm and calls show(fraction); other threads go on during an estimate."""
+    if algorithm.IsA("vtkKalosEstimatorAlgorithm"):
+        update_unblocked(algorithm, show)
+        return
+    tag = algorithm.AddObserver("ProgressEvent", lambda caller, _event: show(caller.GetProgress()))
+    try:
+        update(algorithm)
+    finally:
+        algorithm.RemoveObserver(tag)
 
 
 @contextlib.contextmanager

@@ -61,6 +61,9 @@ def validate(data=None, wanted=None, trajectories=None, seed=1, say=print):
     methods = [method for method in wanted or METHODS if method in available]
     missing = [method for method in wanted or METHODS if method not in available]
     say(f"seed {seed}; chance that a sound method fails a case: {FALSE_ALARM:g}")
+    say("off by: of the point that is farthest off, in its standard errors (SE). allowed: a sound method exceeds it with that chance.\n"
+        f"It is far above the 2 SE of one well-known error, as an error is estimated from {REPLICATES} replicates in most methods (Student's t\n"
+        f"with {REPLICATES - 1} degrees of freedom), and the worst of all points of a case counts (Sidak's correction).")
     say(f"{'case':<28} {'method':<17} {'points':>6} {'off by':>8} {'allowed':>8} {'error':>9}  result")
     passed = True
     for case in CASES:
