@@ -65,6 +65,17 @@ def test_package_by_pythonpath(prefix):
     assert (prefix / "share" / "kalos" / "data" / "furnace" / "furnace.json").exists()
 
 
+def test_documentation_is_installed(prefix):
+    share = prefix / "share"
+    assert (share / "bash-completion" / "completions" / "kalos").is_file() and (share / "zsh" / "vendor-completions" / "_kalos").is_file()
+    for name in ("first_light.py", "scene_changes.py", "cpp/desk.cxx"):
+        assert (share / "doc" / "Kalos" / "examples" / name).is_file()
+    assert (share / "doc" / "Kalos" / "CHANGELOG.md").is_file() and (share / "doc" / "Kalos" / "CITATION.cff").is_file()
+    if shutil.which("argparse-manpage"):
+        page = (share / "man" / "man1" / "kalos.1").read_text()
+        assert ".SH OPTIONS 'kalos solve'" in page and "\\-\\-trajectories" in page
+
+
 @pytest.mark.skipif(os.environ["KALOS_WITH_PARAVIEW"] != "ON", reason="built without ParaView")
 def test_plugin_by_pv_plugin_path(prefix):
     plugins, = prefix.glob("lib*/**/plugins")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command: options in, one line per error out. Everything it does is a function elsewhere in the package."""
+import os
 import sys
 import traceback
 
@@ -19,9 +20,19 @@ def parser():
     return top
 
 
+def complete(words):
+    """Answers the shell that asks what may follow, and ends, where argcomplete is installed; else nothing."""
+    if "_ARGCOMPLETE" in os.environ:
+        import argcomplete
+
+        argcomplete.autocomplete(words)
+
+
 def main(arguments=None):
     """Runs the command; returns its exit status: 0 done, 1 failed, 2 bad input."""
-    arguments = parser().parse_args(arguments)
+    words = parser()
+    complete(words)
+    arguments = words.parse_args(arguments)
     try:
         if ranks.several() and arguments.run is not solve.run:
             raise KalosError(f"{arguments.command}: runs in one process; expected no mpiexec, or kalos solve")
