@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One line for whoever runs the wrong Python: which VTK is needed, and which was found."""
+"""Checks that this Python has the VTK that Kalos was built for; the error tells in one line what is needed and what was found."""
 import sys
 
 from kalos._build import PYTHON, VTK
 
 
 def check():
-    """Raises ImportError where this Python has not the VTK that Kalos was built for."""
+    """Raises ImportError if this Python does not have the VTK that Kalos was built for."""
     version = "{}.{}".format(*sys.version_info)
     if version != PYTHON:
         refuse(f"this is Python {version}")

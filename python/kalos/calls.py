@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The commands as functions: kalos.solve(), study(), chart() and validate(). What they need is loaded when they are called."""
+"""The commands as functions: kalos.solve(), study(), chart() and validate(). Their modules are imported when they are called."""
 from __future__ import annotations
 
 import os
@@ -16,7 +16,7 @@ Say = Callable[[str], object]
 
 
 def silent(line: str) -> None:
-    """Says nothing."""
+    """Ignores a line of output."""
 
 
 def solve(scene: SceneLike, out: Union[str, os.PathLike[str]], *, method: str = DEFAULT_METHOD, trajectories: Optional[int] = None,
@@ -76,7 +76,7 @@ def chart(scene: SceneLike, out: Union[str, os.PathLike[str]], *, receivers: Opt
 
 def validate(*, methods: Optional[Sequence[str]] = None, trajectories: Optional[int] = None, seed: int = 1,
              data: Union[None, str, os.PathLike[str]] = None, say: Say = print) -> bool:
-    """Holds methods (None: all) against scenes with a closed form, as `kalos validate` does; whether all pass."""
+    """Tests methods (None: all) on scenes with a closed form, as `kalos validate` does; returns whether all pass."""
     from kalos.validation.validate import validate as run
 
     return bool(run(data, methods, trajectories, seed, say))

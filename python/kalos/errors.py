@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One exception for everything that goes wrong, and the error events of VTK turned into it."""
+"""The exceptions of Kalos, and the conversion of VTK's error events into them."""
 import re
 import sys
 
@@ -65,7 +65,7 @@ def update(algorithm, request=None):
 def failed(algorithm, messages):
     """Raises the first of the error messages of an update, if there are any."""
     if messages:
-        ended = getattr(algorithm, "GetErrorCode", int)() == UNKNOWN_ERROR  # not for the input, but in the work
+        ended = getattr(algorithm, "GetErrorCode", int)() == UNKNOWN_ERROR  # a failure of the work itself, not bad input
         raise KalosError(messages[0], FAILED if ended else BAD_INPUT)
 
 

@@ -30,9 +30,9 @@ from kalos.validation.cases import CASES, DATA, sobolev_case
 CLOSED_FORMS = [*CASES, replace(CASES[0], scene="chart/edge-furnace.json"),
                 replace(sobolev_case(0.5, 0.5, 0.5), scene="chart/sobolev-row.json")]
 GOALS = (0.05, 0.02, 0.01, 0.005, 0.003)
-SEEDS, FEWER_SEEDS, MANY = 4, 2, 20000  # runs a step at least, and where there are MANY values to tell an error from
-MOST_SEEDS, SHARE = 32, 1 / 32  # more where all of a step take less than a share of the budget: errors of few values are uneven
-FLAT = 1.25  # times the step before: a step that took no longer cost what any step costs, and the next one is twice as long
+SEEDS, FEWER_SEEDS, MANY = 4, 2, 20000  # least number of runs per step; FEWER where MANY values average the error
+MOST_SEEDS, SHARE = 32, 1 / 32  # more runs where a step takes less than this share of the budget: errors of few values are uneven
+FLAT = 1.25  # a step that takes less than this times the previous one is dominated by fixed costs; the next step is four times as long
 COLUMNS = ("contender", "effort", "seeds", "cpu_seconds", "rays", "rms_of_value", "p95_of_value", "max_of_value", "rms_of_mean",
            "p95_of_mean", "max_of_mean", "mean_off", "mean_off_error")
 
@@ -83,7 +83,7 @@ def find_truth(scene, room, count, out, folder):
 
 
 def climb(contender, truth, budget, seed):
-    """Rows of the table, one a step: until the next step would exceed the budget; and the bias of all runs together."""
+    """Runs steps of growing effort until the next would exceed the budget: one table row per step, and the bias of all runs together."""
     rows, spent, effort, every, stated = [], 0.0, contender.START, [], []
     least = SEEDS if truth.lit.sum() < MANY else FEWER_SEEDS
     while True:
@@ -120,7 +120,7 @@ def climb(contender, truth, budget, seed):
 
 
 def stated_bias(contender):
-    """What the audit of a contender's last run says of its bias: a share of its mean, and its standard error; else None.
+    """The bias that the audit of a contender's last run states, relative to its mean, with its standard error; None if it states none.
 
     The audit speaks of the gathered light. Where direct light is not told apart, in images, that is taken for all light.
     """
@@ -134,7 +134,7 @@ def stated_bias(contender):
 
 
 def describe(contender, rows, relative_to):
-    """What stands in the table about a contender."""
+    """The table entry of a contender."""
     own = [row for row in rows if row["contender"] == contender.NAME]
     seconds, found = ([row[key] for row in own] for key in ("cpu_seconds", f"rms_of_{relative_to}"))
     times = {f"{100 * goal:g} %": time_to(goal, seconds, found) for goal in GOALS}

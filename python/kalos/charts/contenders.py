@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Who takes part in a chart: every method of Kalos and the peers, alike to the one who measures them."""
+"""The contenders of a chart: the methods of Kalos and the peers, behind one interface."""
 from dataclasses import replace
 
 import numpy as np
@@ -136,7 +136,7 @@ class Method:
 
 
 def assemble(room, methods, peers, threads, say):
-    """The contenders that can take part; `say` gets a line about every one that can not."""
+    """The contenders that can take part; `say` gets a line about each one that cannot."""
     makers = {name: lambda name=name: Method(room, name, threads) for name in methods or METHODS}
     if peers:
         scene, reason = describe(room.reader, room.points, room.normals, room.response, room.emitted), beyond(room.reader)

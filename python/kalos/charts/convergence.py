@@ -6,12 +6,12 @@ import numpy as np
 from scipy import stats
 
 DARK = 1e-3  # of the median: what is darker (the inside of a box, the floor under it) has no relative error
-FARTHEST = 16.0  # times the longest run: beyond that nothing is extrapolated, it would be a guess
+FARTHEST = 16.0  # times the longest run: no extrapolation beyond that
 
 
 @dataclass(frozen=True)
 class Truth:
-    """What estimates are held against, lx, and its own standard error."""
+    """The reference that estimates are compared with, lx, and its own standard error."""
 
     values: np.ndarray
     standard_error: np.ndarray
@@ -51,7 +51,7 @@ def deviation_of_mean(estimates, truth):
 
 
 def bias(estimates, efforts, truth):
-    """What many estimates, weighed by their effort, have in common: relative, the error of their mean over the receivers
+    """The common error of many estimates, weighted by their effort: relative, the error of their mean over the receivers
     with its standard error, and the error that 95 % of the receivers stay below.
 
     Noise is taken out of the latter as if both were normal; `noise` is what it was, for one who wonders whether there is
@@ -81,7 +81,7 @@ class TimeTo:
 def time_to(goal, seconds, found):
     """From times and errors of a ladder of efforts, by straight lines on the log-log curve.
 
-    The last crossing counts: an error that is low by chance at little effort is no merit. Beyond the longest run errors fall
+    The last crossing counts, as an early run can have a small error by chance. Beyond the longest run errors fall
     as the root of time at most: the last steps fall faster where time is mostly what any run takes.
     """
     t, e = np.log(seconds), np.log(found)

@@ -17,7 +17,7 @@ SIZE = (11.0, 6.4)  # inches
 STRONG = {"gathered": "#0b5d8f", "compensated": "#1b9e77", "local": "#7a3e9d"}
 QUIET = ("#8c6d31", "#a55194", "#637939", "#7f7f7f", "#5b7f95")
 PEER = ("#c2571a", "#d4a017", "#8f2d2d")
-MOST = 100.0  # %: what is worse is no estimate and is left out
+MOST = 100.0  # %: larger errors are not drawn
 
 
 def draw_chart(folder, result):

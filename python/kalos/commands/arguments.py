@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Words of the command line turned into values; one line for each that can not be."""
+"""Values of command-line options; each one that is not allowed gives an error of one line."""
 import argparse
 import math
 import re
@@ -12,7 +12,7 @@ from kalos.results.tasks import Task
 
 
 class Parser(argparse.ArgumentParser):
-    """Errors as one line, like every other error of the command."""
+    """A parser that prints its errors as one line, like every other error of the command."""
 
     def error(self, message):
         message = message.removeprefix("argument ").replace("the following arguments are required: ", "missing ")

@@ -21,7 +21,7 @@ def parser():
 
 
 def complete(words):
-    """Answers the shell that asks what may follow, and ends, where argcomplete is installed; else nothing."""
+    """Prints completions and exits if the shell asks for them by argcomplete; else does nothing."""
     if "_ARGCOMPLETE" in os.environ:
         import argcomplete
 

@@ -17,13 +17,13 @@ def add(commands):
     add_method_options(command, DEFAULT_METHOD)
     add_goals(command)
     command.add_argument("--checkpoint", metavar="FILE",
-                       help="keep the solve in FILE, FILE.CAMERA for cameras, every 10 s and when it is stopped; the same command "
-                            "goes on from there to the same numbers, and takes the files away when it is done (none)")
+                       help="save the state of the solve in FILE, FILE.CAMERA for cameras, every 10 s and when it is stopped; the same "
+                            "command resumes from there with the same numbers, and deletes the files when it is done (none)")
     command.add_argument("--disable", metavar="NAME,...", type=techniques,
                        help=f"switch off some of {', '.join(TECHNIQUES)}, to measure what each saves; no mean changes (none)")
     command.add_argument("--replay", metavar="RECEIVER:REPLICATE", type=receiver_and_replicate,
-                       help="write nothing, but recompute one replicate of such a solve and print its scores at one receiver, "
-                            "counted over all sets from 0")
+                       help="recompute one replicate of such a solve and print its scores at one receiver, without writing files; "
+                            "receivers count over all sets from 0")
     command.add_argument("--no-prepare", action="store_false", dest="prepare",
                        help="take the surfaces as they are: neither repair them nor look for singular edges")
     command.add_argument("--all-points", action="store_true",
@@ -56,7 +56,7 @@ def look_of(arguments):
 def add_goals(command):
     add = command.add_argument
     add("--error", metavar="E", type=RELATIVE,
-        help="stop when every 95 %% half-width is within E of its value, or below the floor (off)")
+        help="stop when the 95 %% half-width of every value is within the fraction E of it, or below the floor (off)")
     add("--error-floor", metavar="LX", type=FLOOR,
         help="half-width that is small enough for any value, lx (auto: E of a hundredth of the mean)")
     add("--time", metavar="SECONDS", type=TIME, help="stop each solve after so many seconds (off)")

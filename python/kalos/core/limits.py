@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What options may be: text turned into a number or name, or an error that says what is expected."""
+"""The values that options may have: text is converted to a number or name, or an error says what is expected."""
 import argparse
 import math
 

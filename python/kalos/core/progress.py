@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the user sees while VTK works, and the keys and signals that stop it."""
+"""Progress bars while VTK works, and the signals that stop it."""
 import contextlib
 import io
 import os

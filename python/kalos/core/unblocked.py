@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Long updates during which other threads of Python go on."""
+"""Updates without the interpreter's lock, so that other Python threads continue."""
 import ctypes
 import functools
 
@@ -11,7 +11,7 @@ PROGRESS, ERROR = 0, 1
 
 @functools.lru_cache(maxsize=None)
 def library():
-    """The library of the estimating filters, whose function gives up the interpreter's lock: modules/.../UnblockedUpdate.cxx."""
+    """The library of the estimating filters, with the function of UnblockedUpdate.cxx."""
     from kalos.vtk import vtkKalosFiltersEstimation
 
     found = ctypes.CDLL(vtkKalosFiltersEstimation.__file__)

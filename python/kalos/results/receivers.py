@@ -46,7 +46,7 @@ class Receivers:
 
 
 def from_dataset(name, dataset):
-    """Reads a data set that vtkKalosIlluminance has put out."""
+    """Reads the output of vtkKalosIlluminance."""
     of_points, of_cells = dataset.GetPointData(), dataset.GetCellData()
     data = of_cells if of_cells.HasArray(arrays.ILLUMINANCE) else of_points
     if not data.HasArray(arrays.ILLUMINANCE):
@@ -61,7 +61,7 @@ def from_dataset(name, dataset):
             for key in (arrays.ILLUMINANCE, arrays.ILLUMINANCE_STANDARD_ERROR, arrays.DIRECT_ILLUMINANCE)]
     trusted, valid = (vtk_to_numpy(data.GetArray(key)) != 0 for key in (arrays.INTERVAL_TRUSTED, arrays.VALID))
     replicates = data.GetArray(arrays.ILLUMINANCE_REPLICATES)
-    if replicates:  # they are for figures, too many to write
+    if replicates:  # used for the errors of means; not written to files
         replicates = vtk_to_numpy(replicates).reshape(len(points), -1)
         data.RemoveArray(arrays.ILLUMINANCE_REPLICATES)
     goal = vtk_to_numpy(data.GetArray(arrays.GOAL_STATUS)) if data.HasArray(arrays.GOAL_STATUS) else None

@@ -16,13 +16,13 @@ def joined_audit(audits):
 
 
 def audit_text(entries):
-    """The audit for a person: subjects in a column, each with its choice and the reason."""
+    """The audit as the terminal shows it: subjects in a column, each with its choice and the reason."""
     width = max((len(entry["subject"]) for entry in entries), default=0)
     return "\n".join(f"  {entry['subject']:<{width}}  {entry['choice']}: {entry['reason']}" for entry in entries)
 
 
 def result_text(summary):
-    """The result table for a person."""
+    """The result table that the terminal shows."""
     lines = []
     for title, unit, sets in (("receivers", "lx", summary["receivers"]), ("camera", "cd/m²", summary["cameras"])):
         if not sets:
@@ -47,7 +47,7 @@ def result_text(summary):
         lines.append(f"  {task['receivers']}: {limits} required: {task['result']}")
     lines.append("  ± is one standard error: the true value is within two of them in about 95 of 100 cases")
     if any(figures["untrusted"] for figures in summary["receivers"].values()):
-        lines.append("  untrusted: receivers whose standard error can not be believed, as single scores carry the estimate")
+        lines.append("  untrusted: receivers whose standard error can not be believed, as a few single scores dominate the estimate")
     for name, figures in summary["receivers"].items():
         if figures["left_out"]:
             lines.append(f"  {figures['left_out']} of {figures['points']} points of {name} are left out: inside a solid, below a surface or outside")

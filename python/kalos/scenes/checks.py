@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arguments that are arrays: taken as they are, without a copy, or refused by name with shape and expectation."""
+"""Checks of array arguments: they are used without a copy, or refused by name with their shape and what is expected."""
 from __future__ import annotations
 
 import numpy as np
@@ -8,7 +8,7 @@ from kalos.errors import InputError
 
 FLOATS = (np.float64, np.float32)
 INTEGERS = (np.int64, np.int32)
-UNIT_TOLERANCE = 1e-4  # of the length of a normal: typed digits pass, a forgotten normalisation does not
+UNIT_TOLERANCE = 1e-4  # relative, of the length of a normal: allows rounding of typed digits, not a missing normalisation
 
 
 def refuse(name, array, what, expected):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What surfaces and luminaires have where nothing is said."""
+"""Defaults of the arrays of surfaces and luminaires."""
 from kalos.core import arrays
 
 DISTRIBUTIONS = {"isotropic": 0, "lambertian": 1}  # the array Distribution; 2 and more are candela tables

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scene files and models read, and what is in them."""
+"""Reads scene files and models, and lists what is in them."""
 import os
 
 from kalos.core import arrays
@@ -18,7 +18,7 @@ def read_scene(path):
 
 
 def photometry_warnings(reader):
-    """What the scene's photometric files made one doubt or repair: a list of {code, file, message}."""
+    """The warnings of the scene's photometric files: a list of {code, file, message}."""
     table = reader.GetLuminaires().GetFieldData().GetAbstractArray(arrays.PHOTOMETRY_WARNINGS)
     cells = [table.GetValue(i) for i in range(table.GetNumberOfValues())]
     return [dict(zip(("code", "file", "message"), cells[i:i + 3])) for i in range(0, len(cells), 3)]

@@ -2,7 +2,7 @@
 """What the pixels of a camera see: the first surface on each line of sight."""
 import numpy as np
 
-SEAM = 1e-9  # of a side: so much wider is a face, that no ray slips through between two of them
+SEAM = 1e-9  # faces are enlarged by this share of a side, so that no ray passes between two of them
 
 
 def camera_rays(position, target, up, field_of_view, resolution):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How much memory a solve will take, and how much there is: what can not be done is refused before it is begun."""
+"""Estimates the memory that a solve needs and refuses one that would not fit into what is available."""
 import resource
 from pathlib import Path
 
@@ -18,7 +18,7 @@ REPLICATES = 32  # at most
 
 
 def demand(triangles, receivers=0, luminaires=0, pixels=0, bands=1, preparing=True):
-    """Bytes that a process takes at most which solves so much; pixels are of the largest image."""
+    """Upper bound of the memory of a solve, in bytes; pixels are those of the largest image."""
     sums = SUM * REPLICATES * (2 + 2 * bands)  # scores, direct scores, corrections, largest scores
     return (PROGRAM + triangles * (TRIANGLE if preparing else UNPREPARED_TRIANGLE) + luminaires * LUMINAIRE
             + receivers * (RECEIVER + 2 * SUM * REPLICATES)  # estimates of the replicates, for errors of means
@@ -26,7 +26,7 @@ def demand(triangles, receivers=0, luminaires=0, pixels=0, bands=1, preparing=Tr
 
 
 def available(root=Path("/")):
-    """Bytes that this process may take in all, and what sets that bound: the machine, a control group or a limit of the shell.
+    """Bytes that this process may use in total, and what limits it: the machine, a control group or a limit of the shell.
 
     root is where proc and sys are. Infinite where the system does not say.
     """
@@ -78,7 +78,7 @@ def reclaimable(folder):
 
 
 def check_memory(scene, reader, preparing):
-    """Refuses a scene that a scene reader has read when its solve would need more than there is."""
+    """Raises KalosError if solving the scene would need more memory than is available."""
     surfaces = reader.GetSurfaces()
     triangles = surfaces.GetPolys().GetNumberOfConnectivityIds() - 2 * surfaces.GetNumberOfPolys()
     blocks = reader.GetReceivers()

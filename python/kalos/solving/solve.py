@@ -100,7 +100,7 @@ def replay(scene, receiver, replicate, options=Options(), preparing=True, say=pr
 
 
 def take_part(scene, options=Options(), preparing=True):
-    """The share of a solve() of every rank but the first, whose are the words and the files."""
+    """The part of a solve() that ranks other than 0 do; rank 0 prints and writes the files."""
     reader, prepared = set_up(scene, preparing)
     with named_options():
         estimate(reader, options, prepared)
@@ -115,14 +115,14 @@ def set_up(scene, preparing):
 
 
 def check_results(reader, scene):
-    """No results may displace the summary; the reader has seen to it that they do not displace each other."""
+    """Refuses names that would overwrite summary.json; the reader has checked that names differ from each other."""
     if "summary" in receiver_names(reader) + camera_names(reader):
         raise KalosError(f"{scene}: scene: a receiver set or camera is named summary; expected another name, as the "
                          "results stand in summary.json")
 
 
 def check_light(reader, scene):
-    """A model without light is a mistake, not a dark room; a scene file may say so on purpose."""
+    """Refuses a model without any light; a scene file may describe a dark room on purpose."""
     exitance = reader.GetSurfaces().GetCellData().GetArray(arrays.EXITANCE)
     emits = exitance.GetNumberOfTuples() and exitance.GetRange(-1)[1] > 0
     if os.fspath(scene).lower().endswith(MODELS) and not (emits or reader.GetLuminaires().GetNumberOfPoints()):
@@ -163,7 +163,7 @@ def summarise(scene, options, receivers, images, outputs, everywhere=False):
 
 
 def warnings(reader, scene, audit):
-    """What photometric files made one doubt or repair, and the warnings of the audit: counts by code, and every one."""
+    """The warnings of photometric files and of the audit: their number, counts by code, and each one."""
     found = photometry_warnings(reader) + [{"code": "audit", "file": str(scene), "message": message}
                                            for message in fields.warnings_of(audit)]
     return {"count": len(found), "codes": dict(Counter(one["code"] for one in found)), "list": found}

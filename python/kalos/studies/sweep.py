@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 from kalos.core.options import REFERENCE_METHOD, Options
 from kalos.errors import KalosError
 
-MOST = 400  # combinations, so that a slip of the pen does not run for a week
+MOST = 400  # combinations: a guard against typing errors
 SYMBOLS = {"trajectories": "N", "delta": "δ", "epsilon": "ε"}
 
-# Methods that an option means nothing to.
-WITHOUT = {"delta": ("local", "compensated", "gathered", "disc", "direct"), "epsilon": ("local", "compensated", "gathered")}
+# Methods that an option has no effect on.
+NO_EFFECT = {"delta": ("local", "compensated", "gathered", "disc", "direct"), "epsilon": ("local", "compensated", "gathered")}
 
 # V. P. Budak, A. V. Grimailo, V. S. Zheltov, S. A. Yakushev: GraphiCon 2023, Table 1. A cross, not every combination.
 TABLE1 = [("trajectories", (10000, 1000, 100), {"delta": 0.25, "epsilon": 0.15}),
@@ -63,10 +63,10 @@ def combinations(sweeps, base):
 
 
 def check_effect(sweeps, base):
-    """A sweep that changes nothing is a mistake."""
+    """Refuses a sweep over an option that has no effect on the method."""
     for method in sweeps.get("method", (base.method,)):
-        for name in WITHOUT:
-            if name in sweeps and method in WITHOUT[name]:
+        for name in NO_EFFECT:
+            if name in sweeps and method in NO_EFFECT[name]:
                 raise KalosError(f"--sweep: {name} has no effect on {method}, expected --method sphere-exact or another "
                                  "with such a neighbourhood")
 
