@@ -52,6 +52,8 @@ constexpr const char* DirectIlluminance = "DirectIlluminance";                //
 constexpr const char* KernelCorrection = "KernelCorrection";    ///< lx, altered less plain kernel, same trajectories
 constexpr const char* LargestScoreShare = "LargestScoreShare";  ///< largest single score over the sum, [0, 1]
 constexpr const char* IntervalTrusted = "IntervalTrusted";      ///< 1 where the standard error can be believed, else 0
+constexpr const char* Valid =
+    "Valid";  ///< 0 inside a solid, below a surface or outside: statistics leave it out, else 1
 /// With a goal for the error: 0 missed, 1 the 95 % half-width is within it, 2 it is below the floor of a dim value.
 constexpr const char* GoalStatus = "GoalStatus";
 constexpr const char* IndirectIlluminanceStandardError = "IndirectIlluminanceStandardError";  ///< lx, of total - direct

@@ -2,7 +2,7 @@
 """What the tests of models share: reading one, and what came out of it."""
 import numpy as np
 from helpers import update_error
-from kalos.solve import illuminance
+from kalos.estimation.filters import illuminance_filter
 from kalos.vtk import vtkKalosSceneReader
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
@@ -68,9 +68,9 @@ def normal(reader, cell):
 
 def direct(path, points, normals):
     """Direct illuminance at points, which for points of light is exact."""
-    from kalos.receivers import from_dataset, point_receivers
+    from kalos.results.receivers import from_dataset, point_receivers
 
-    estimator = illuminance(read(path), None)
+    estimator = illuminance_filter(read(path), None)
     estimator.SetTrajectories(32)
     estimator.SetInputDataObject(0, point_receivers(points, np.broadcast_to(normals, np.shape(points))))
     estimator.Update()

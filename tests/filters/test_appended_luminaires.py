@@ -75,6 +75,13 @@ def by_data_sets(pieces, folder):
     return geometry.GetOutput()
 
 
+def by_a_list(pieces, folder):
+    """kalos.illuminance(surfaces, [lamp, lamps]) joins them so: the first two come appended already."""
+    from kalos.scenes.joined import joined_luminaires
+
+    return joined_luminaires([by_poly_data(pieces[:2], folder), pieces[2]])
+
+
 def by_a_file(pieces, folder):
     writer = vtkXMLPolyDataWriter()
     writer.SetInputData(by_poly_data(pieces, folder))
@@ -86,7 +93,7 @@ def by_a_file(pieces, folder):
     return reader.GetOutput()
 
 
-@pytest.mark.parametrize("append", [by_poly_data, by_data_sets, by_a_file])
+@pytest.mark.parametrize("append", [by_poly_data, by_data_sets, by_a_file, by_a_list])
 @pytest.mark.parametrize("order", itertools.permutations(range(3)))
 def test_light_adds_up(lamps, tmp_path, append, order):
     expected = sum(direct(lamp) for lamp in lamps)

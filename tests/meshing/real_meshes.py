@@ -19,7 +19,7 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from kalos.meshfiles import SUFFIXES
+from kalos.preparation.mesh_readers import SUFFIXES
 
 STEPS = 3  # of one run that each get the time limit: repair, remeshing, edges
 
