@@ -48,6 +48,9 @@ class Tables:
             name = f"{arrays.CANDELA_TABLE}{int(kind) - FIRST}"
             table, poles = fields.GetArray(name), fields.GetArray(arrays.CANDELA_POLES)
             if table is None or poles is None or poles.GetNumberOfTuples() <= kind - FIRST:
+                if piece.GetPointData().GetAbstractArray(arrays.CANDELA_TABLES):  # attach_texts() brings the table
+                    found[kinds == kind] = FIRST
+                    continue
                 raise InputError(f"{where} refers to a candela table that it does not have, expected the field data arrays {name} "
                                  f"and {arrays.CANDELA_POLES}")
             found[kinds == kind] = FIRST + self.number(table, int(poles.GetTuple1(int(kind) - FIRST)))
