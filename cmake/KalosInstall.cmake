@@ -6,7 +6,8 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/KalosConfigVersion.cmake" 
 install(FILES "${CMAKE_BINARY_DIR}/KalosConfig.cmake" "${CMAKE_BINARY_DIR}/KalosConfigVersion.cmake"
   DESTINATION "${KALOS_CMAKE_DIRECTORY}")
 install(DIRECTORY data DESTINATION "${CMAKE_INSTALL_DATADIR}/kalos" PATTERN "*.py" EXCLUDE)
-install(FILES README.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DOCDIR}" PATTERN "__pycache__" EXCLUDE)
+install(FILES README.md LICENSE CHANGELOG.md CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # ParaView's build of a plugin installs the archives that the plugin was linked from.
 install(CODE "file(GLOB archives \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/libvtkKalos*CS.a\")
 if (archives)
@@ -22,7 +23,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-mpi4py, openmpi-bin")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-mpi4py, openmpi-bin, python3-argcomplete")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3, python3-numpy, python3-matplotlib, python3-scipy")

@@ -18,7 +18,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
 import kalos
-from kalos.truths import white_furnace
+from kalos.validation.truths import white_furnace
 
 METHODS = ("local", "clamped", "sphere-published", "sphere-exact", "disc", "direct", "compensated")
 SIDE, REFLECTANCE, EXITANCE = 4.0, 0.6, 100.0

@@ -15,7 +15,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 import kalos
-from kalos.scale import colour_bar, colour_scale
+from kalos.pictures.scale import colour_bar, colour_scale
 
 ERROR, MOST = 0.03, 60000  # of the lux: 95 % half-width over the value, at every point; trajectories
 PIXELS, TRAJECTORIES = (240, 180), 1024  # of the view

@@ -17,8 +17,8 @@ from matplotlib.figure import Figure
 
 import kalos
 from kalos.photometry import draw_polar, facts, read_photometry
-from kalos.scale import colour_bar, colour_scale
-from kalos.solve import read_scene
+from kalos.pictures.scale import colour_bar, colour_scale
+from kalos.scenes.reading import read_scene
 
 FILE = Path(__file__).resolve().parents[1] / "data" / "photometry" / "downlight.ies"
 LENGTH, WIDTH, HEIGHT = 10.0, 2.0, 2.8  # m

@@ -22,8 +22,8 @@ from matplotlib.lines import Line2D
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import kalos
-from kalos.axonometry import TO_VIEWER, paper
-from kalos.meshfiles import poly_data
+from kalos.pictures.axonometry import TO_VIEWER, paper
+from kalos.preparation.mesh_readers import poly_data
 
 SIDES = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]  # of a box, outwards
 EDGES = LinearSegmentedColormap.from_list("edges", ["#9ec4e8", "#08386e"])

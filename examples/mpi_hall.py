@@ -19,7 +19,7 @@ from kalos import ranks
 
 joined = ranks.join()  # before anything is solved: from here on the filters share their work with the other ranks
 import kalos  # noqa: E402
-from kalos.scale import colour_bar, colour_scale  # noqa: E402
+from kalos.pictures.scale import colour_bar, colour_scale  # noqa: E402
 
 LENGTH, WIDTH, HEIGHT = 30.0, 20.0, 7.0  # m
 COLUMNS, ROWS, TRAJECTORIES = 90, 60, 1600

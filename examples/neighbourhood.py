@@ -20,13 +20,14 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
-from kalos import truths
-from kalos.clearance import clearance, triangles
+from kalos.core.options import REFERENCE_SEED, Options
 from kalos.errors import update
-from kalos.estimator import REFERENCE_SEED, Options
-from kalos.receivers import from_dataset, point_receivers
-from kalos.solve import illuminance, read_scene
-from kalos.summary import audit
+from kalos.estimation.filters import illuminance_filter
+from kalos.results.fields import audit
+from kalos.results.receivers import from_dataset, point_receivers
+from kalos.scenes.clearance import clearance, triangles
+from kalos.scenes.reading import read_scene
+from kalos.validation import truths
 
 DATA = Path(__file__).resolve().parents[1] / "data"
 SCENES = {"furnace, boxes": "furnace/furnace.json", "Cornell room": "cornell/cornell.json",
@@ -68,7 +69,7 @@ class Study:
 
     def solve(self, options):
         """Values and what the audit says about the kernel."""
-        estimator = illuminance(self.reader, options)
+        estimator = illuminance_filter(self.reader, options)
         estimator.SetInputDataObject(0, self.receivers)
         update(estimator)
         output = estimator.GetOutputDataObject(0)

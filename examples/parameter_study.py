@@ -12,9 +12,9 @@ import json
 import sys
 from pathlib import Path
 
-from kalos.estimator import Options
-from kalos.study import study
-from kalos.sweep import table1
+from kalos.core.options import Options
+from kalos.studies.study import study
+from kalos.studies.sweep import table1
 
 ROOM = Path(__file__).resolve().parents[1] / "data" / "cornell" / "cornell-mixed.json"
 PIXELS = 48  # a side; the time goes with their number

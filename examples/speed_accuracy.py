@@ -11,8 +11,8 @@ mean square over the receivers and four seeds, over the mean of a converged refe
 import sys
 from pathlib import Path
 
-from kalos.chart import chart
-from kalos.contenders import PEERS
+from kalos.charts.chart import chart
+from kalos.charts.contenders import PEERS
 
 ROOM = Path(__file__).resolve().parents[1] / "data" / "cornell" / "cornell.json"
 METHODS = ("compensated", "gathered", "local", "sphere-exact")

@@ -13,8 +13,10 @@ import sys
 import numpy as np
 from scipy import stats
 
-from kalos.estimator import METHODS
-from kalos.validate import CASES, DATA, FALSE_ALARM, OFFSET, solve_receivers
+from kalos.core.options import METHODS
+from kalos.validation.cases import CASES, DATA
+from kalos.validation.validate import solve_receivers
+from kalos.validation.verdicts import FALSE_ALARM, OFFSET
 
 UNBIASED = ("compensated", "local", "direct")
 TRAJECTORIES = 640

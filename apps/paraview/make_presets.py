@@ -11,7 +11,7 @@ import sys
 
 import numpy as np
 
-from kalos.colours import false_colours
+from kalos.pictures.colours import false_colours
 
 POINTS = 256  # as many as the table has
 SCALES = {"Kalos illuminance (lx)": np.linspace(0, 1000, POINTS),

@@ -31,6 +31,9 @@ constexpr const char* Distribution =
 constexpr const char* SideU = "SideU";  ///< full side of a luminous rectangle, m, 3 components; zero for a point
 constexpr const char* SideV = "SideV";  ///< the other side, m
 constexpr const char* LuminaireNames = "LuminaireNames";  ///< point data, strings
+/// Point data, strings: the luminaire's candela table as vtkKalosCandelaText.h writes it, empty without one. It has
+/// priority over the tables of the field data, which filters that append luminaires mix up.
+constexpr const char* CandelaTables = "CandelaTables";
 /// Field data, one array per candela table, its index appended: tuples (plane deg, angle from the pole deg, cd) sorted
 /// by plane, then angle. Distribution 2 + k is the table "CandelaTable" + k.
 constexpr const char* CandelaTable = "CandelaTable";
@@ -49,6 +52,8 @@ constexpr const char* DirectIlluminance = "DirectIlluminance";                //
 constexpr const char* KernelCorrection = "KernelCorrection";    ///< lx, altered less plain kernel, same trajectories
 constexpr const char* LargestScoreShare = "LargestScoreShare";  ///< largest single score over the sum, [0, 1]
 constexpr const char* IntervalTrusted = "IntervalTrusted";      ///< 1 where the standard error can be believed, else 0
+constexpr const char* Valid =
+    "Valid";  ///< 0 inside a solid, below a surface or outside: statistics leave it out, else 1
 /// With a goal for the error: 0 missed, 1 the 95 % half-width is within it, 2 it is below the floor of a dim value.
 constexpr const char* GoalStatus = "GoalStatus";
 constexpr const char* IndirectIlluminanceStandardError = "IndirectIlluminanceStandardError";  ///< lx, of total - direct

@@ -15,12 +15,12 @@
 
 namespace
 {
-bool AllFinite(const double v[3])
+bool allFinite(const double v[3])
 {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
-void FillPoints(vtkPoints* points, const double origin[3], const double u[3], const double v[3], const int n[2])
+void fillPoints(vtkPoints* points, const double origin[3], const double u[3], const double v[3], const int n[2])
 {
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(n[0] + 1) * (n[1] + 1));
@@ -37,7 +37,7 @@ void FillPoints(vtkPoints* points, const double origin[3], const double u[3], co
   }
 }
 
-void FillQuads(vtkCellArray* quads, const int n[2], bool flip)
+void fillQuads(vtkCellArray* quads, const int n[2], bool flip)
 {
   quads->AllocateExact(static_cast<vtkIdType>(n[0]) * n[1], 4 * static_cast<vtkIdType>(n[0]) * n[1]);
   const vtkIdType row = n[0] + 1;
@@ -66,7 +66,7 @@ int vtkKalosCalculationPlane::RequestData(vtkInformation*, vtkInformationVector*
   const double* u = this->U;
   const double* v = this->V;
   const int* n = this->Resolution;
-  if (!AllFinite(this->Origin) || !AllFinite(u) || !AllFinite(v))
+  if (!allFinite(this->Origin) || !allFinite(u) || !allFinite(v))
   {
     vtkErrorMacro("the calculation plane's Origin, U and V must be finite numbers, in metres");
     return 0;
@@ -89,9 +89,9 @@ int vtkKalosCalculationPlane::RequestData(vtkInformation*, vtkInformationVector*
   }
 
   vtkNew<vtkPoints> points;
-  FillPoints(points, this->Origin, u, v, n);
+  fillPoints(points, this->Origin, u, v, n);
   vtkNew<vtkCellArray> quads;
-  FillQuads(quads, n, this->Flip);
+  fillQuads(quads, n, this->Flip);
 
   vtkNew<vtkDoubleArray> normals;
   normals->SetName("Normals");

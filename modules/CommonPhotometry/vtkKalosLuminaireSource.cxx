@@ -9,6 +9,7 @@
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkKalosArrayNames.h"
+#include "vtkKalosCandelaText.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -19,13 +20,13 @@
 
 namespace
 {
-bool AllFinite(const double v[3])
+bool allFinite(const double v[3])
 {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
 /** The half-planes C = 0 and C = 90 deg of an axis: see the class documentation. */
-void PlanesOfAxis(const double axis[3], double rotationDegrees, double along[3], double up[3])
+void planesOfAxis(const double axis[3], double rotationDegrees, double along[3], double up[3])
 {
   const double y[3] = {0.0, 1.0, 0.0};
   const double z[3] = {0.0, 0.0, 1.0};
@@ -44,19 +45,37 @@ void PlanesOfAxis(const double axis[3], double rotationDegrees, double along[3],
   }
 }
 
-void SetFieldArray(vtkPolyData* data, vtkDataArray* array, const char* name)
+void setFieldArray(vtkPolyData* data, vtkDataArray* array, const char* name)
 {
   array->SetName(name);
   data->GetFieldData()->AddArray(array);
 }
 
-void AddVector(vtkPointData* data, const char* name, const double v[3])
+void addVector(vtkPointData* data, const char* name, const double v[3])
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(3);
   array->InsertNextTuple(v);
   data->AddArray(array);
+}
+/** The candela table, which may be null, in the point data and in the field data. */
+void addTables(vtkPolyData* output, vtkDoubleArray* tuples, bool sidePole)
+{
+  vtkNew<vtkStringArray> texts;
+  texts->SetName(vtkKalosArrayNames::CandelaTables);
+  texts->InsertNextValue(tuples ? vtkKalosCandelaText::Write(tuples, sidePole) : std::string());
+  output->GetPointData()->AddArray(texts);
+  if (!tuples)
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> table;
+  table->ShallowCopy(tuples);
+  setFieldArray(output, table, (std::string(vtkKalosArrayNames::CandelaTable) + "0").c_str());
+  vtkNew<vtkIntArray> poles;
+  poles->InsertNextValue(sidePole ? 1 : 0);
+  setFieldArray(output, poles, vtkKalosArrayNames::CandelaPoles);
 }
 }  // namespace
 
@@ -77,11 +96,11 @@ void vtkKalosLuminaireSource::SetCandelaTable(vtkDoubleArray* tuples, bool sideP
 
 std::string vtkKalosLuminaireSource::Check() const
 {
-  if (!AllFinite(this->Position))
+  if (!allFinite(this->Position))
   {
     return "the position is not finite; expected three numbers in metres";
   }
-  if (!AllFinite(this->Aim) || vtkMath::Norm(this->Aim) == 0.0)
+  if (!allFinite(this->Aim) || vtkMath::Norm(this->Aim) == 0.0)
   {
     return "the aim is zero or not finite; expected a direction";
   }
@@ -109,7 +128,7 @@ std::string vtkKalosLuminaireSource::Check() const
   double normal[3];
   vtkMath::Cross(this->SideU, this->SideV, normal);
   const double sides = vtkMath::Norm(this->SideU) * vtkMath::Norm(this->SideV);
-  if (!AllFinite(this->SideU) || !AllFinite(this->SideV) || !(vtkMath::Norm(normal) > 1e-12 * sides))
+  if (!allFinite(this->SideU) || !allFinite(this->SideV) || !(vtkMath::Norm(normal) > 1e-12 * sides))
   {
     return "the luminous rectangle has no area; expected two finite sides that are neither zero nor parallel";
   }
@@ -140,7 +159,7 @@ int vtkKalosLuminaireSource::RequestData(vtkInformation*, vtkInformationVector**
   vtkMath::Normalize(direction);
   double along[3];
   double up[3];
-  PlanesOfAxis(direction, this->RotationDegrees, along, up);
+  planesOfAxis(direction, this->RotationDegrees, along, up);
   const bool measured = !rectangle && this->Distribution == MEASURED;
   const bool opening = measured && this->OpeningAlongC0 > 0.0 && this->OpeningAlongC90 > 0.0;
   double openingU[3];
@@ -165,27 +184,19 @@ int vtkKalosLuminaireSource::RequestData(vtkInformation*, vtkInformationVector**
   flux->SetName(vtkKalosArrayNames::LuminousFlux);
   flux->InsertNextValue(this->Flux);
   data->AddArray(flux);
-  AddVector(data, vtkKalosArrayNames::Direction, direction);
-  AddVector(data, vtkKalosArrayNames::Up, up);
+  addVector(data, vtkKalosArrayNames::Direction, direction);
+  addVector(data, vtkKalosArrayNames::Up, up);
   vtkNew<vtkIntArray> distribution;
   distribution->SetName(vtkKalosArrayNames::Distribution);
   distribution->InsertNextValue(rectangle ? LAMBERTIAN : this->Distribution);
   data->AddArray(distribution);
-  AddVector(data, vtkKalosArrayNames::SideU, rectangle ? this->SideU : opening ? openingU : none);
-  AddVector(data, vtkKalosArrayNames::SideV, rectangle ? this->SideV : opening ? openingV : none);
+  addVector(data, vtkKalosArrayNames::SideU, rectangle ? this->SideU : opening ? openingU : none);
+  addVector(data, vtkKalosArrayNames::SideV, rectangle ? this->SideV : opening ? openingV : none);
   vtkNew<vtkStringArray> names;
   names->SetName(vtkKalosArrayNames::LuminaireNames);
   names->InsertNextValue(this->Name);
   data->AddArray(names);
-  if (measured)
-  {
-    vtkNew<vtkDoubleArray> table;
-    table->ShallowCopy(this->CandelaTable);
-    SetFieldArray(output, table, (std::string(vtkKalosArrayNames::CandelaTable) + "0").c_str());
-    vtkNew<vtkIntArray> poles;
-    poles->InsertNextValue(this->SidePole ? 1 : 0);
-    SetFieldArray(output, poles, vtkKalosArrayNames::CandelaPoles);
-  }
+  addTables(output, measured ? this->CandelaTable.Get() : nullptr, this->SidePole);
   return 1;
 }
 

@@ -23,9 +23,10 @@
  * Flux / (4 pi) [cd] everywhere. A rectangle emits on one side only, that of Aim.
  *
  * A MEASURED source takes its intensities from a candela table, scaled to Flux; the output's field data then hold the
- * arrays CandelaTable0 and CandelaPoles. vtkKalosPhotometryReader makes such sources from manufacturers' files. Its
- * opening lies across Aim about Position. Receivers closer than 5 times its larger side see it as an area whose every
- * spot radiates like the whole, others as a point.
+ * arrays CandelaTable0 and CandelaPoles, and as text in the point array CandelaTables, which survives appending.
+ * vtkKalosPhotometryReader makes such sources from manufacturers' files. Its opening lies across Aim about Position.
+ * Receivers closer than 5 times its larger side see it as an area whose every spot radiates like the whole, others as a
+ * point.
  *
  * Up is the half-plane C = 90 deg of the distribution. Without rotation it is world +y made perpendicular to Aim, or +z
  * made perpendicular where Aim is within 0.6 deg of +-y; so a luminaire that looks down has C = 0 along +x.

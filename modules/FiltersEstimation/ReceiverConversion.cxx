@@ -141,7 +141,8 @@ void AppendReceivers(vtkDataSet* dataSet, kalos::Receivers& receivers)
     throw std::invalid_argument("receivers: have no normals, expected point normals or cell normals");
 }
 
-std::size_t AttachResults(const kalos::Result& result, std::size_t first, vtkDataSet* dataSet)
+std::size_t AttachResults(const kalos::Result& result, const std::vector<char>& valid, std::size_t first,
+                          vtkDataSet* dataSet)
 {
   namespace Names = vtkKalosArrayNames;
   const bool points = HasPointReceivers(dataSet);
@@ -155,6 +156,7 @@ std::size_t AttachResults(const kalos::Result& result, std::size_t first, vtkDat
     AddColumn(data, Names::IlluminanceReplicates, result.replicateIlluminance, first, count, result.replicates);
   AddColumn(data, Names::LargestScoreShare, result.largestScoreShare, first, count);
   AddFlags(data, Names::IntervalTrusted, result.trusted, first, count);
+  AddFlags(data, Names::Valid, valid, first, count);
   if (!result.gatherRays.empty())
     AddColumn(data, Names::GatherRays, result.gatherRays, first, count);
   if (!result.goal.empty())

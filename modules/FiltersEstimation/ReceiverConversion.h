@@ -19,7 +19,8 @@ std::vector<vtkDataSet*> LeavesOf(vtkDataObject* object);
 void AppendReceivers(vtkDataSet* dataSet, kalos::Receivers& receivers);
 
 /// Attaches the results of receivers [first, ...) to the data set that AppendReceivers() took them from; returns the
-/// number of the next receiver.
-std::size_t AttachResults(const kalos::Result& result, std::size_t first, vtkDataSet* dataSet);
+/// number of the next receiver. `valid` has the flag Valid of every receiver.
+std::size_t AttachResults(const kalos::Result& result, const std::vector<char>& valid, std::size_t first,
+                          vtkDataSet* dataSet);
 
 #endif

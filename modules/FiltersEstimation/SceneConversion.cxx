@@ -3,11 +3,13 @@
 
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 
+#include "ConcavePolygons.h"
+#include "ConversionErrors.h"
+#include "LuminaireConversion.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -25,13 +27,6 @@
 namespace
 {
 namespace Names = vtkKalosArrayNames;
-
-constexpr double largestDistribution = 1e6;  // luminaires may have as many candela tables
-
-[[noreturn]] void Refuse(const char* array, const char* what, vtkIdType i, const std::string& expected)
-{
-  throw std::invalid_argument(std::string(array) + " of " + what + " " + std::to_string(i) + ": " + expected);
-}
 
 /// One value per band from an array of 1 or `bands` components.
 kalos::Bands ReadBands(vtkDataArray* array, vtkIdType cell, int bands, double below)
@@ -58,11 +53,6 @@ int CountBands(vtkDataArray* array, int bands)
     throw std::invalid_argument(std::string(array->GetName()) + ": has " + std::to_string(n) +
                                 " components, expected 1 or " + std::to_string(bands));
   return std::max(n, bands);
-}
-
-kalos::Vec3 ToVec3(const double v[3])
-{
-  return {v[0], v[1], v[2]};
 }
 
 double ReadNumber(vtkDataArray* array, vtkIdType cell, double absent, double highest)
@@ -111,9 +101,10 @@ void RefuseLostPolygons(vtkPolyData* input, vtkPolyData* triangles)
                                 " triangles have no area or cross themselves, expected simple polygons");
 }
 
-void AddSurfaces(vtkPolyData* input, kalos::SceneDescription& scene)
+void AddSurfaces(vtkPolyData* surfaces, kalos::SceneDescription& scene)
 {
-  vtkKalosArrayLengths::Require(input->GetCellData(), input->GetNumberOfCells(), "surface cells");
+  vtkKalosArrayLengths::Require(surfaces->GetCellData(), surfaces->GetNumberOfCells(), "surface cells");
+  const vtkSmartPointer<vtkPolyData> input = CutConcavePolygons(surfaces);
   vtkNew<vtkTriangleFilter> triangulate;
   triangulate->SetInputData(input);
   triangulate->PassLinesOff();
@@ -134,7 +125,7 @@ void AddSurfaces(vtkPolyData* input, kalos::SceneDescription& scene)
     scene.points.push_back(ToVec3(triangles->GetPoint(i)));
 
   vtkDataArray* surfaceIds = triangles->GetCellData()->GetArray(Names::SurfaceId);
-  auto* names = vtkStringArray::SafeDownCast(input->GetFieldData()->GetAbstractArray(Names::SurfaceNames));
+  auto* names = vtkStringArray::SafeDownCast(surfaces->GetFieldData()->GetAbstractArray(Names::SurfaceNames));
   for (vtkIdType i = 0; surfaceIds && names && i < names->GetNumberOfValues(); ++i)
     scene.surfaceNames.push_back(names->GetValue(i));
 
@@ -163,124 +154,6 @@ void AddSurfaces(vtkPolyData* input, kalos::SceneDescription& scene)
       scene.surfaceNames.clear();
       scene.triangleSurface.clear();
     }
-  }
-}
-
-kalos::Vec3 ReadVector(vtkPolyData* luminaires, const char* name, vtkIdType i, const kalos::Vec3& absent)
-{
-  vtkDataArray* array = luminaires->GetPointData()->GetArray(name);
-  if (!array)
-    return absent;
-  if (array->GetNumberOfComponents() != 3)
-    throw std::invalid_argument(std::string(name) + ": has " + std::to_string(array->GetNumberOfComponents()) +
-                                " components, expected 3");
-  const kalos::Vec3 v = ToVec3(array->GetTuple3(i));
-  if (!kalos::isFinite(v))
-    Refuse(name, "luminaire", i, "must be finite");
-  return v;
-}
-
-/// Table k of the field data; see vtkKalosArrayNames::CandelaTable.
-std::shared_ptr<const kalos::CandelaTable> ReadTable(vtkPolyData* luminaires, int k)
-{
-  const std::string name = Names::CandelaTable + std::to_string(k);
-  vtkDataArray* tuples = luminaires->GetFieldData()->GetArray(name.c_str());
-  if (!tuples || tuples->GetNumberOfComponents() != 3)
-    throw std::invalid_argument(name + ": the field data array is missing, expected tuples of plane, angle, candela");
-  vtkDataArray* poles = luminaires->GetFieldData()->GetArray(Names::CandelaPoles);
-  const bool side = poles && poles->GetNumberOfTuples() > k && poles->GetComponent(k, 0) != 0;
-  std::vector<double> planes, angles, candela;
-  bool inOrder = true;
-  for (vtkIdType i = 0; i < tuples->GetNumberOfTuples(); ++i)
-  {
-    const double plane = tuples->GetComponent(i, 0), angle = tuples->GetComponent(i, 1);
-    if (planes.empty() || plane != planes.back())
-    {
-      inOrder = inOrder && (planes.empty() || plane > planes.back()) && std::isfinite(plane);
-      planes.push_back(plane);
-    }
-    if (planes.size() == 1)
-    {
-      inOrder = inOrder && (angles.empty() ? angle >= 0 : angle > angles.back()) && angle <= 180;
-      angles.push_back(angle);
-    }
-    candela.push_back(tuples->GetComponent(i, 2));
-    inOrder = inOrder && angle == angles[(candela.size() - 1) % angles.size()];
-    if (!(candela.back() >= 0 && std::isfinite(candela.back())))
-      Refuse(name.c_str(), "tuple", i, "is " + std::to_string(candela.back()) + " cd, expected 0 or more");
-  }
-  if (!inOrder || planes.size() < 2 || angles.size() < 2 || candela.size() != planes.size() * angles.size() ||
-      planes.back() - planes.front() > 360)
-    throw std::invalid_argument(name + ": expected ascending planes of up to 360 deg, and in each the same ascending " +
-                                "angles from 0 to 180 deg");
-  auto table = std::make_shared<kalos::CandelaTable>(
-      planes, angles, candela, side ? kalos::CandelaTable::Pole::Side : kalos::CandelaTable::Pole::Axis);
-  if (!(table->flux() > 0))
-    throw std::invalid_argument(name + ": every intensity is 0, expected a luminaire that shines");
-  return table;
-}
-
-/// Unit vector across the axis; without an array, any.
-kalos::Vec3 ReadUp(vtkPolyData* luminaires, vtkIdType i, const kalos::Vec3& axis)
-{
-  const kalos::Vec3 given = ReadVector(luminaires, Names::Up, i, kalos::Frame(axis).s);
-  const kalos::Vec3 across = given - kalos::dot(given, axis) * axis;
-  if (!(kalos::length(across) > 1e-6 * kalos::length(given)))
-    Refuse(Names::Up, "luminaire", i, "is along Direction, expected a direction across it");
-  return kalos::normalized(across);
-}
-
-/// Without the zeros of a whole number.
-std::string Shown(double number)
-{
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
-
-void AddLuminaires(vtkPolyData* input, kalos::SceneDescription& scene)
-{
-  std::map<int, std::shared_ptr<const kalos::CandelaTable>> tables;
-  if (input->GetNumberOfPoints() == 0)
-    return;
-  vtkKalosArrayLengths::Require(input->GetPointData(), input->GetNumberOfPoints(), "luminaires");
-  vtkDataArray* flux = input->GetPointData()->GetArray(Names::LuminousFlux);
-  vtkDataArray* distribution = input->GetPointData()->GetArray(Names::Distribution);
-  if (!flux)
-    throw std::invalid_argument("luminaires: the point array LuminousFlux is missing");
-  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
-  {
-    kalos::Luminaire l;
-    l.position = ToVec3(input->GetPoint(i));
-    l.flux = flux->GetComponent(i, 0);
-    if (!kalos::isFinite(l.position))
-      Refuse("position", "luminaire", i, "must be finite");
-    if (!(l.flux >= 0 && std::isfinite(l.flux)))
-      Refuse(Names::LuminousFlux, "luminaire", i, "is " + std::to_string(l.flux) + ", expected lumens >= 0");
-    const kalos::Vec3 axis = ReadVector(input, Names::Direction, i, {0, 0, -1});
-    if (!(kalos::length(axis) > 0))
-      Refuse(Names::Direction, "luminaire", i, "must not be zero");
-    l.axis = kalos::normalized(axis);
-    l.sideU = ReadVector(input, Names::SideU, i, {});
-    l.sideV = ReadVector(input, Names::SideV, i, {});
-    if (!l.isPoint() && !(kalos::length(kalos::cross(l.sideU, l.sideV)) > 0))
-      Refuse(Names::SideV, "luminaire", i, "spans no area with SideU");
-    const double number = distribution ? distribution->GetComponent(i, 0) : 1;
-    if (!(number >= 0 && number <= largestDistribution && number == std::floor(number)))
-      Refuse(Names::Distribution, "luminaire", i,
-             "is " + Shown(number) + ", expected 0 (isotropic), 1 (Lambertian) or 2 and more (candela tables)");
-    const int kind = static_cast<int>(number);
-    l.distribution = kind == 0 && l.isPoint() ? kalos::Distribution::Isotropic : kalos::Distribution::Lambertian;
-    if (kind >= 2)
-    {
-      l.distribution = kalos::Distribution::Measured;
-      l.up = ReadUp(input, i, l.axis);
-      auto& table = tables[kind - 2];
-      if (!table)
-        table = ReadTable(input, kind - 2);
-      l.table = table;
-    }
-    scene.luminaires.push_back(l);
   }
 }
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "ErrorCodes.h"
 #include "SceneConversion.h"
 #include "estimator/GlareRating.h"
 #include "vtkDoubleArray.h"
@@ -107,6 +108,7 @@ void Rate(vtkPolyData* observers, const kalos::Scene& scene)
 int vtkKalosGlareRating::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs);
+  this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
     output->ShallowCopy(vtkPolyData::GetData(inputs[0]));
@@ -114,6 +116,7 @@ int vtkKalosGlareRating::RequestData(vtkInformation*, vtkInformationVector** inp
   }
   catch (const std::exception& error)
   {
+    this->SetErrorCode(ErrorCodeOf(error));
     vtkErrorMacro(<< error.what());
     output->Initialize();
     return 0;

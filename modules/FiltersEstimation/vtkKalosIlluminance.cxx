@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkKalosIlluminance.h"
 
+#include <algorithm>
 #include <array>
 #include <exception>
-#include <stdexcept>
+#include <iterator>
 
 #include "CheckpointFile.h"
 #include "ControllerRanks.h"
+#include "ErrorCodes.h"
 #include "ReceiverConversion.h"
 #include "estimator/DarkReceivers.h"
 #include "estimator/Solver.h"
@@ -103,13 +105,14 @@ vtkSmartPointer<vtkDoubleArray> ReplayTable(const kalos::Replay& replay)
 }
 }  // namespace
 
-vtkSmartPointer<vtkDataObject> vtkKalosIlluminance::Dress(vtkDataObject* receivers, const kalos::Result& result) const
+vtkSmartPointer<vtkDataObject> vtkKalosIlluminance::Dress(vtkDataObject* receivers, const kalos::Result& result,
+                                                          const std::vector<char>& valid) const
 {
   vtkSmartPointer<vtkDataObject> dressed = CopyWithOwnLeaves(receivers);
   std::size_t next = 0;
   for (vtkDataSet* leaf : LeavesOf(dressed))
   {
-    next = AttachResults(result, next, leaf);
+    next = AttachResults(result, valid, next, leaf);
     this->Describe(result, leaf->GetFieldData());
   }
   this->Describe(result, dressed->GetFieldData());
@@ -138,9 +141,10 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
       return 1;
     }
     kalos::Snapshot show;
+    const std::vector<char> allValid(receivers.points.size(), 1);  // until the end, when dark receivers are examined
     if (this->IntermediateResults)
       show = [&](const kalos::Result& soFar) {
-        this->InvokeEvent(vtkCommand::UpdateDataEvent, this->Dress(input, soFar).Get());
+        this->InvokeEvent(vtkCommand::UpdateDataEvent, this->Dress(input, soFar, allValid).Get());
       };
     const ControllerRanks ranks(this->Controller);
     const auto checkpoint = this->MakeCheckpoint();
@@ -150,8 +154,8 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
         *scene, receivers, settings, [this](double f) { return this->ReportProgress(f); }, show);
     if (result.trajectories == 0)  // stopped before the first round was complete
       return 1;
-    for (kalos::AuditLine& line : kalos::auditDarkReceivers(*scene, receivers, result))
-      result.audit.push_back(std::move(line));
+    kalos::DarkReceivers dark = kalos::findDarkReceivers(*scene, receivers, result);
+    std::move(dark.audit.begin(), dark.audit.end(), std::back_inserter(result.audit));
     using Pipeline = vtkStreamingDemandDrivenPipeline;
     vtkInformation* asked = outputs->GetInformationObject(0);
     if (asked->Has(Pipeline::UPDATE_PIECE_NUMBER()) && asked->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
@@ -159,12 +163,11 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
       output->Initialize();  // piece 0 holds everything
       return 1;
     }
-    output->ShallowCopy(this->Dress(input, result));
+    output->ShallowCopy(this->Dress(input, result, dark.valid));
   }
   catch (const std::exception& error)
   {
-    if (!dynamic_cast<const std::invalid_argument*>(&error))
-      this->SetErrorCode(vtkErrorCode::UnknownError);
+    this->SetErrorCode(ErrorCodeOf(error));
     vtkErrorMacro(<< error.what());
     output->Initialize();
     return 0;

@@ -29,6 +29,8 @@
 #ifndef vtkKalosIlluminance_h
 #define vtkKalosIlluminance_h
 
+#include <vector>  // for Dress
+
 #include "vtkKalosEstimatorAlgorithm.h"
 #include "vtkSmartPointer.h"  // for Dress
 
@@ -77,8 +79,9 @@ protected:
   int ReplayReplicate = 0;
 
 private:
-  /// A copy of the receivers that carries a result.
-  vtkSmartPointer<vtkDataObject> Dress(vtkDataObject* receivers, const kalos::Result& result) const;
+  /// A copy of the receivers that carries a result, and the flag Valid of each receiver.
+  vtkSmartPointer<vtkDataObject> Dress(vtkDataObject* receivers, const kalos::Result& result,
+                                       const std::vector<char>& valid) const;
 
   vtkKalosIlluminance(const vtkKalosIlluminance&) = delete;
   void operator=(const vtkKalosIlluminance&) = delete;

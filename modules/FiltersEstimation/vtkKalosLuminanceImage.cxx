@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkKalosLuminanceImage.h"
 
+#include <algorithm>
 #include <exception>
-#include <stdexcept>
 
 #include "CheckpointFile.h"
 #include "ControllerRanks.h"
+#include "ErrorCodes.h"
 #include "estimator/LuminanceImage.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
@@ -106,11 +107,16 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
         this->Describe(soFar.estimate, image->GetFieldData());
         this->InvokeEvent(vtkCommand::UpdateDataEvent, image.Get());
       };
-    const kalos::LuminanceResult result = kalos::solveLuminance(
+    kalos::LuminanceResult result = kalos::solveLuminance(
         *scene, camera, this->MakeSettings(ranks, checkpoint.get()),
         [this](double f) { return this->ReportProgress(f); }, show);
     if (result.estimate.trajectories == 0)  // stopped before the first round was complete
       return 1;
+    if (std::all_of(result.luminance.begin(), result.luminance.end(), [](double l) { return l <= 0; }))
+      result.estimate.audit.push_back(
+          {"warning", "the image is black",
+           "nothing lit is in sight of the camera: inside a solid, outside of a closed room "
+           "or turned away from it"});
     FillImage(output, this->Resolution, result);
     this->Describe(result.estimate, output->GetFieldData());
     using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -120,8 +126,7 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
   }
   catch (const std::exception& error)
   {
-    if (!dynamic_cast<const std::invalid_argument*>(&error))
-      this->SetErrorCode(vtkErrorCode::UnknownError);
+    this->SetErrorCode(ErrorCodeOf(error));
     vtkErrorMacro(<< error.what());
     output->Initialize();
     return 0;

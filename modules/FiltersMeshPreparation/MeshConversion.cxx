@@ -11,19 +11,18 @@
 #include <sstream>
 #include <string>
 
+#include "mesh/Triangulation.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
-#include "vtkIdList.h"
 #include "vtkKalosArrayLengths.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
@@ -34,71 +33,48 @@ namespace
 using meshing::Point;
 using meshing::TriangleMesh;
 
-void AddTriangle(TriangleMesh& mesh, vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell)
+void addTriangle(TriangleMesh& mesh, vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell)
 {
   mesh.triangles.push_back(
       {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
   mesh.origin.push_back(static_cast<std::uint32_t>(cell));
 }
 
-/** Whether a fan from the first corner covers the polygon. */
-bool IsConvex(const TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids)
+/** Returns false if the polygon crosses itself and had to be cut into a fan. */
+bool addPolygon(TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
 {
-  const Point& first = mesh.points[ids[0]];
-  Point normal{0, 0, 0};
-  for (vtkIdType i = 1; i + 1 < size; ++i)
-  {
-    normal = normal + cross(mesh.points[ids[i]] - first, mesh.points[ids[i + 1]] - first);
-  }
+  std::vector<Point> corners;
   for (vtkIdType i = 0; i < size; ++i)
   {
-    const Point& corner = mesh.points[ids[i]];
-    const Point in = corner - mesh.points[ids[(i + size - 1) % size]];
-    const Point out = mesh.points[ids[(i + 1) % size]] - corner;
-    if (dot(cross(in, out), normal) < 0.0)
-    {
-      return false;
-    }
+    corners.push_back(mesh.points[ids[i]]);
   }
-  return true;
-}
-
-/** Returns false if the polygon had to be cut into a fan. */
-bool AddPolygon(TriangleMesh& mesh, vtkPoints* points, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
-{
-  bool proper = true;
-  if (size > 3 && !IsConvex(mesh, size, ids))
+  const bool convex = size == 3 || meshing::isConvex(corners);
+  const auto triangles = convex ? std::nullopt : meshing::triangulate(corners);
+  if (triangles)
   {
-    vtkNew<vtkPolygon> polygon;
-    polygon->Initialize(static_cast<int>(size), ids, points);
-    vtkNew<vtkIdList> triangles;
-    if (polygon->Triangulate(triangles))
+    for (const auto& [a, b, c] : *triangles)
     {
-      for (vtkIdType i = 0; i + 2 < triangles->GetNumberOfIds(); i += 3)
-      {
-        AddTriangle(mesh, ids[triangles->GetId(i)], ids[triangles->GetId(i + 1)], ids[triangles->GetId(i + 2)], cell);
-      }
-      return true;
+      addTriangle(mesh, ids[a], ids[b], ids[c], cell);
     }
-    proper = false;
+    return true;
   }
   for (vtkIdType i = 1; i + 1 < size; ++i)
   {
-    AddTriangle(mesh, ids[0], ids[i], ids[i + 1], cell);
+    addTriangle(mesh, ids[0], ids[i], ids[i + 1], cell);
   }
-  return proper;
+  return convex;
 }
 
-void AddStrip(TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
+void addStrip(TriangleMesh& mesh, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
 {
   for (vtkIdType i = 0; i + 2 < size; ++i)
   {
     const vtkIdType odd = i % 2;
-    AddTriangle(mesh, ids[i + odd], ids[i + 1 - odd], ids[i + 2], cell);
+    addTriangle(mesh, ids[i + odd], ids[i + 1 - odd], ids[i + 2], cell);
   }
 }
 
-bool SaysWhatASurfaceIs(vtkAbstractArray* array)
+bool saysWhatASurfaceIs(vtkAbstractArray* array)
 {
   if (vtkStringArray::SafeDownCast(array))
   {
@@ -121,7 +97,7 @@ bool SaysWhatASurfaceIs(vtkAbstractArray* array)
 }
 
 /** A number per cell, the same for cells whose arrays agree. */
-std::vector<std::uint32_t> MaterialsOfCells(vtkPolyData* input)
+std::vector<std::uint32_t> materialsOfCells(vtkPolyData* input)
 {
   const auto cells = static_cast<std::size_t>(input->GetNumberOfCells());
   std::vector<std::uint32_t> material(cells, 0);
@@ -129,7 +105,7 @@ std::vector<std::uint32_t> MaterialsOfCells(vtkPolyData* input)
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = data->GetAbstractArray(a);
-    if (!SaysWhatASurfaceIs(array))
+    if (!saysWhatASurfaceIs(array))
     {
       continue;
     }
@@ -165,10 +141,10 @@ std::vector<std::uint32_t> MaterialsOfCells(vtkPolyData* input)
 }
 }  // namespace
 
-ConvertedMesh ConvertMesh(vtkPolyData* input)
+ConvertedMesh convertMesh(vtkPolyData* input)
 {
   ConvertedMesh result;
-  TriangleMesh& mesh = result.Mesh;
+  TriangleMesh& mesh = result.mesh;
   if (!input || !input->GetPoints() || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
     throw std::invalid_argument("the input has no polygons; expected a surface");
@@ -185,8 +161,8 @@ ConvertedMesh ConvertMesh(vtkPolyData* input)
   }
 
   // Cells are numbered vertices, lines, polygons, strips.
-  vtkIdType cell = result.Ignored = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  result.Polygons = input->GetNumberOfPolys() + input->GetNumberOfStrips();
+  vtkIdType cell = result.ignored = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  result.polygons = input->GetNumberOfPolys() + input->GetNumberOfStrips();
   vtkIdType size = 0;
   const vtkIdType* ids = nullptr;
   for (const bool strips : {false, true})
@@ -205,19 +181,19 @@ ConvertedMesh ConvertMesh(vtkPolyData* input)
       }
       if (size < 3)
       {
-        ++result.Degenerate;
+        ++result.degenerate;
       }
       else if (strips)
       {
-        AddStrip(mesh, size, ids, cell);
+        addStrip(mesh, size, ids, cell);
       }
-      else if (!AddPolygon(mesh, input->GetPoints(), size, ids, cell))
+      else if (!addPolygon(mesh, size, ids, cell))
       {
-        result.Crossing.push_back(cell);
+        result.crossing.push_back(cell);
       }
     }
   }
-  const std::vector<std::uint32_t> material = MaterialsOfCells(input);
+  const std::vector<std::uint32_t> material = materialsOfCells(input);
   mesh.material.reserve(mesh.origin.size());
   for (const std::uint32_t origin : mesh.origin)
   {
@@ -227,7 +203,7 @@ ConvertedMesh ConvertMesh(vtkPolyData* input)
   return result;
 }
 
-void FillPolyData(const TriangleMesh& mesh, vtkPolyData* input, vtkPolyData* output)
+void fillPolyData(const TriangleMesh& mesh, vtkPolyData* input, vtkPolyData* output)
 {
   output->Initialize();
   vtkNew<vtkPoints> points;
@@ -261,7 +237,7 @@ void FillPolyData(const TriangleMesh& mesh, vtkPolyData* input, vtkPolyData* out
   output->GetFieldData()->PassData(input->GetFieldData());
 }
 
-meshing::Progress ProgressOf(vtkAlgorithm* algorithm, double seconds)
+meshing::Progress progressOf(vtkAlgorithm* algorithm, double seconds)
 {
   using Clock = std::chrono::steady_clock;
   return [algorithm, seconds, start = Clock::now()](double share) {
@@ -277,7 +253,7 @@ meshing::Progress ProgressOf(vtkAlgorithm* algorithm, double seconds)
   };
 }
 
-void CheckTimeLimit(double seconds)
+void checkTimeLimit(double seconds)
 {
   if (!(seconds >= 0.0 && std::isfinite(seconds)))
   {
@@ -285,7 +261,7 @@ void CheckTimeLimit(double seconds)
   }
 }
 
-int Guarded(vtkAlgorithm* algorithm, std::initializer_list<vtkDataObject*> outputs, const std::function<void()>& work)
+int guarded(vtkAlgorithm* algorithm, std::initializer_list<vtkDataObject*> outputs, const std::function<void()>& work)
 {
   std::string message;
   try

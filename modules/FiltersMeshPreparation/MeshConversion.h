@@ -18,11 +18,11 @@ namespace kalos
 {
 struct ConvertedMesh
 {
-  meshing::TriangleMesh Mesh;
-  vtkIdType Polygons = 0;           ///< polygons and strips taken
-  vtkIdType Ignored = 0;            ///< vertices and lines, which are no surface
-  vtkIdType Degenerate = 0;         ///< polygons of fewer than three corners
-  std::vector<vtkIdType> Crossing;  ///< polygons that no triangulation was found for and that became fans
+  meshing::TriangleMesh mesh;
+  vtkIdType polygons = 0;           ///< polygons and strips taken
+  vtkIdType ignored = 0;            ///< vertices and lines, which are no surface
+  vtkIdType degenerate = 0;         ///< polygons of fewer than three corners
+  std::vector<vtkIdType> crossing;  ///< polygons that no triangulation was found for and that became fans
 };
 
 /**
@@ -32,20 +32,20 @@ struct ConvertedMesh
  * Triangles have the same material number if their cells agree in every array that says what a surface is: the material
  * arrays of vtkKalosArrayNames.h, and all integer and string arrays.
  */
-ConvertedMesh ConvertMesh(vtkPolyData* input);
+ConvertedMesh convertMesh(vtkPolyData* input);
 
 /** The mesh as polygons of three corners with the cell arrays of `input`, each triangle those of its origin. */
-void FillPolyData(const meshing::TriangleMesh& mesh, vtkPolyData* input, vtkPolyData* output);
+void fillPolyData(const meshing::TriangleMesh& mesh, vtkPolyData* input, vtkPolyData* output);
 
 /** Reports to the algorithm and stops when it is to abort; throws when it has taken `seconds`, unless 0. */
-meshing::Progress ProgressOf(vtkAlgorithm* algorithm, double seconds = 0.0);
+meshing::Progress progressOf(vtkAlgorithm* algorithm, double seconds = 0.0);
 
 /** Throws std::invalid_argument unless it is 0 or more seconds. */
-void CheckTimeLimit(double seconds);
+void checkTimeLimit(double seconds);
 
-/** Does the work; what it throws empties the outputs and becomes an error event, but for an abort. Returns VTK's 1 or
+/** Runs `work`; an exception empties the outputs and becomes an error event, except after an abort. Returns VTK's 1 or
  * 0. */
-int Guarded(vtkAlgorithm* algorithm, std::initializer_list<vtkDataObject*> outputs, const std::function<void()>& work);
+int guarded(vtkAlgorithm* algorithm, std::initializer_list<vtkDataObject*> outputs, const std::function<void()>& work);
 }  // namespace kalos
 
 #endif

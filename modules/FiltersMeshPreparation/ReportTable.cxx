@@ -16,7 +16,7 @@ ReportTable::ReportTable(vtkTable* table)
   table->AddColumn(this->Values);
 }
 
-void ReportTable::Add(const std::string& quantity, const char* unit, double value)
+void ReportTable::add(const std::string& quantity, const char* unit, double value)
 {
   this->Quantities->InsertNextValue(quantity);
   this->Units->InsertNextValue(unit);

@@ -18,7 +18,7 @@ class ReportTable
 {
 public:
   explicit ReportTable(vtkTable* table);
-  void Add(const std::string& quantity, const char* unit, double value);
+  void add(const std::string& quantity, const char* unit, double value);
 
 private:
   vtkNew<vtkStringArray> Quantities, Units;

@@ -19,7 +19,7 @@ using meshing::TriangleMesh;
 
 constexpr double Finest = 1.0 / 8;  // of the edge length
 
-std::vector<double> Values(vtkDataArray* array)
+std::vector<double> values(vtkDataArray* array)
 {
   std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -34,14 +34,14 @@ std::vector<double> Values(vtkDataArray* array)
   return values;
 }
 
-Point Centre(const TriangleMesh& mesh, std::uint32_t t)
+Point centre(const TriangleMesh& mesh, std::uint32_t t)
 {
   const meshing::Triangle& c = mesh.triangles[t];
   return (1.0 / 3.0) * (mesh.points[c[0]] + mesh.points[c[1]] + mesh.points[c[2]]);
 }
 }  // namespace
 
-std::vector<double> LengthsForResult(vtkPolyData* input, const TriangleMesh& mesh, const std::string& name,
+std::vector<double> lengthsForResult(vtkPolyData* input, const TriangleMesh& mesh, const std::string& name,
                                      double change, double edgeLength)
 {
   vtkDataArray* array = input->GetCellData()->GetArray(name.c_str());
@@ -49,9 +49,9 @@ std::vector<double> LengthsForResult(vtkPolyData* input, const TriangleMesh& mes
   {
     throw std::invalid_argument("no cell array " + name + " of 1 component; expected a previous result");
   }
-  const std::vector<double> value = Values(array);
+  const std::vector<double> value = values(array);
   vtkDataArray* errors = input->GetCellData()->GetArray((name + "StandardError").c_str());
-  const std::vector<double> error = errors ? Values(errors) : std::vector<double>(value.size(), 0.0);
+  const std::vector<double> error = errors ? values(errors) : std::vector<double>(value.size(), 0.0);
 
   // Slopes between neighbours, and the mean over the surface.
   std::vector<double> slope(value.size(), 0.0);
@@ -60,7 +60,7 @@ std::vector<double> LengthsForResult(vtkPolyData* input, const TriangleMesh& mes
     for (std::size_t i = first + 1; i < last; ++i)
     {
       const std::uint32_t a = mesh.origin[sides[first].triangle], b = mesh.origin[sides[i].triangle];
-      const double distance = norm(Centre(mesh, sides[first].triangle) - Centre(mesh, sides[i].triangle));
+      const double distance = norm(centre(mesh, sides[first].triangle) - centre(mesh, sides[i].triangle));
       if (a == b || !(distance > 0.0))
       {
         continue;

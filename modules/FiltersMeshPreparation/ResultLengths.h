@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Edge lengths that resolve a previous result. */
+/** Edge lengths adapted to a previous result. */
 #ifndef KalosResultLengths_h
 #define KalosResultLengths_h
 
@@ -18,7 +18,7 @@ namespace kalos
  * a neighbour, and s the cell's entry of the array `name`StandardError, if there is one. Throws std::invalid_argument
  * if there is no such array of one component, or if it holds values that are not finite.
  */
-std::vector<double> LengthsForResult(vtkPolyData* input, const meshing::TriangleMesh& mesh, const std::string& name,
+std::vector<double> lengthsForResult(vtkPolyData* input, const meshing::TriangleMesh& mesh, const std::string& name,
                                      double change, double edgeLength);
 }  // namespace kalos
 

@@ -6,18 +6,17 @@
 #include <limits>
 
 #include "MeshConversion.h"
+#include "ReceiverDistances.h"
 #include "ReportTable.h"
-#include "singular/EdgeDistance.h"
-#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkKalosArrayNames.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -30,15 +29,7 @@
 
 namespace
 {
-constexpr double DegreesPerRadian = 180.0 / 3.14159265358979323846;
-constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
-
-double Degrees(double radians)
-{
-  return std::isfinite(radians) ? DegreesPerRadian * radians : NotANumber;
-}
-
-void FillCurves(const kalos::meshing::Curves& curves, vtkPolyData* output)
+void fillCurves(const kalos::meshing::Curves& curves, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -61,8 +52,8 @@ void FillCurves(const kalos::meshing::Curves& curves, vtkPolyData* output)
       lines->InsertCellPoint(curves.indices[i]);
     }
     kind->InsertNextValue(static_cast<int>(curve.edge.kind));
-    front->InsertNextValue(Degrees(curve.edge.front));
-    back->InsertNextValue(Degrees(curve.edge.back));
+    front->InsertNextValue(kalos::toDegrees(curve.edge.front));
+    back->InsertNextValue(kalos::toDegrees(curve.edge.back));
     severity->InsertNextValue(curve.edge.severity);
   }
   output->SetPoints(points);
@@ -75,117 +66,20 @@ void FillCurves(const kalos::meshing::Curves& curves, vtkPolyData* output)
   output->GetCellData()->SetActiveScalars(vtkKalosSingularEdges::SeverityArrayName());
 }
 
-/** The curves at which the kernel is singular. */
-kalos::meshing::Curves Severe(const kalos::meshing::Curves& curves)
-{
-  kalos::meshing::Curves severe;
-  severe.points = curves.points;
-  severe.indices = curves.indices;
-  std::copy_if(curves.curves.begin(), curves.curves.end(), std::back_inserter(severe.curves),
-               [](const kalos::meshing::Curve& c) { return c.edge.severity > 0.0; });
-  return severe;
-}
-
-/** Attach distance and angle to a data set's points, or to its cells where only these have normals. */
-void AttachDistances(const kalos::meshing::EdgeDistance& tree, const kalos::meshing::Curves& curves, bool bothSides,
-                     vtkDataSet* receivers)
-{
-  const bool cells = !receivers->GetPointData()->GetNormals() && receivers->GetCellData()->GetNormals();
-  const vtkIdType count = cells ? receivers->GetNumberOfCells() : receivers->GetNumberOfPoints();
-  vtkNew<vtkDoubleArray> distance, angle;
-  distance->SetName(vtkKalosSingularEdges::EdgeDistanceArrayName());
-  angle->SetName(vtkKalosSingularEdges::EdgeAngleArrayName());
-  distance->SetNumberOfTuples(count);
-  angle->SetNumberOfTuples(count);
-  std::vector<double> weights(static_cast<std::size_t>(std::max(1, receivers->GetMaxCellSize())));
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    kalos::meshing::Point place{0, 0, 0};
-    if (cells)
-    {
-      vtkCell* cell = receivers->GetCell(i);
-      double centre[3];
-      int part = cell->GetParametricCenter(centre);
-      cell->EvaluateLocation(part, centre, place.data(), weights.data());
-    }
-    else
-    {
-      receivers->GetPoint(i, place.data());
-    }
-    const auto nearest = tree.nearest(place);
-    distance->SetValue(i, nearest.distance);
-    if (std::isfinite(nearest.distance))
-    {
-      const auto& edge = curves.curves[nearest.curve].edge;
-      angle->SetValue(i, Degrees(bothSides ? std::min(edge.front, edge.back) : edge.front));
-    }
-    else
-    {
-      angle->SetValue(i, NotANumber);
-    }
-  }
-  vtkDataSetAttributes* data = cells ? static_cast<vtkDataSetAttributes*>(receivers->GetCellData())
-                                     : static_cast<vtkDataSetAttributes*>(receivers->GetPointData());
-  data->AddArray(distance);
-  data->AddArray(angle);
-}
-
-/** A copy with data sets of its own, so that arrays added to them do not show in the input. */
-void CopyReceivers(vtkDataObject* input, vtkDataObject* output)
-{
-  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(input);
-  if (!blocks)
-  {
-    output->ShallowCopy(input);
-    return;
-  }
-  auto* copies = vtkMultiBlockDataSet::SafeDownCast(output);
-  copies->CopyStructure(blocks);
-  auto items = vtk::TakeSmartPointer(blocks->NewIterator());
-  for (items->InitTraversal(); !items->IsDoneWithTraversal(); items->GoToNextItem())
-  {
-    auto leaf = vtk::TakeSmartPointer(items->GetCurrentDataObject()->NewInstance());
-    leaf->ShallowCopy(items->GetCurrentDataObject());
-    copies->SetDataSet(items, leaf);
-  }
-  copies->GetFieldData()->PassData(blocks->GetFieldData());
-}
-
-void AttachAllDistances(const kalos::meshing::Curves& all, bool bothSides, vtkDataObject* receivers)
-{
-  const kalos::meshing::Curves curves = Severe(all);
-  const kalos::meshing::EdgeDistance tree(curves);
-  if (auto* leaf = vtkDataSet::SafeDownCast(receivers))
-  {
-    AttachDistances(tree, curves, bothSides, leaf);
-  }
-  else if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(receivers))
-  {
-    auto items = vtk::TakeSmartPointer(blocks->NewIterator());
-    for (items->InitTraversal(); !items->IsDoneWithTraversal(); items->GoToNextItem())
-    {
-      if (auto* block = vtkDataSet::SafeDownCast(items->GetCurrentDataObject()))
-      {
-        AttachDistances(tree, curves, bothSides, block);
-      }
-    }
-  }
-}
-
-void FillReport(const kalos::ConvertedMesh& input, const kalos::meshing::EdgeReport& counts, vtkTable* table)
+void fillReport(const kalos::ConvertedMesh& input, const kalos::meshing::EdgeReport& counts, vtkTable* table)
 {
   kalos::ReportTable report(table);
   const char* names[] = {"concave edges", "convex edges",       "coplanar edges",
                          "border edges",  "non-manifold edges", "contact pieces"};
   for (int i = 0; i < kalos::meshing::numberOfEdgeClasses; ++i)
   {
-    report.Add(names[i], "", static_cast<double>(counts.edges[i]));
+    report.add(names[i], "", static_cast<double>(counts.edges[i]));
   }
-  report.Add("edges whose triangles face opposite ways", "", static_cast<double>(counts.inconsistent));
-  report.Add("degenerate triangles left out", "", static_cast<double>(counts.degenerate));
-  report.Add("coincident triangles left out", "", static_cast<double>(counts.duplicate));
-  report.Add("vertices and lines ignored", "", static_cast<double>(input.Ignored));
-  report.Add("tolerance", "m", counts.tolerance);
+  report.add("edges whose triangles face opposite ways", "", static_cast<double>(counts.inconsistent));
+  report.add("degenerate triangles left out", "", static_cast<double>(counts.degenerate));
+  report.add("coincident triangles left out", "", static_cast<double>(counts.duplicate));
+  report.add("vertices and lines ignored", "", static_cast<double>(input.ignored));
+  report.add("tolerance", "m", counts.tolerance);
 }
 }  // namespace
 
@@ -270,7 +164,7 @@ int vtkKalosSingularEdges::RequestData(vtkInformation*, vtkInformationVector** i
   vtkPolyData* curvesOutput = vtkPolyData::GetData(outputs, 0);
   vtkDataObject* receiversOutput = vtkDataObject::GetData(outputs, 1);
   vtkTable* table = vtkTable::GetData(outputs, 2);
-  return kalos::Guarded(this, {curvesOutput, receiversOutput, table}, [&] {
+  return kalos::guarded(this, {curvesOutput, receiversOutput, table}, [&] {
     if (!(this->FlatAngle > 0.0 && this->FlatAngle <= 45.0))
     {
       throw std::invalid_argument("FlatAngle is not allowed; expected degrees above 0, at most 45");
@@ -279,23 +173,23 @@ int vtkKalosSingularEdges::RequestData(vtkInformation*, vtkInformationVector** i
     {
       throw std::invalid_argument("Tolerance is not allowed; expected metres above 0, or 0 for automatic");
     }
-    kalos::CheckTimeLimit(this->TimeLimit);
-    const kalos::ConvertedMesh input = kalos::ConvertMesh(vtkPolyData::GetData(inputs[0]));
+    kalos::checkTimeLimit(this->TimeLimit);
+    const kalos::ConvertedMesh input = kalos::convertMesh(vtkPolyData::GetData(inputs[0]));
     kalos::meshing::EdgeSettings settings;
     settings.tolerance = this->Tolerance;
-    settings.flat = this->FlatAngle / DegreesPerRadian;
+    settings.flat = vtkMath::RadiansFromDegrees(this->FlatAngle);
     settings.bothSides = this->BothSides;
     settings.wanted = {this->ConcaveEdges, this->ConvexEdges,      this->CoplanarEdges,
                        this->BorderEdges,  this->NonManifoldEdges, this->ContactEdges};
     const kalos::meshing::Curves curves =
-        kalos::meshing::findSingularEdges(input.Mesh, settings, kalos::ProgressOf(this, this->TimeLimit));
+        kalos::meshing::findSingularEdges(input.mesh, settings, kalos::progressOf(this, this->TimeLimit));
     if (vtkDataObject* receivers = vtkDataObject::GetData(inputs[1]))
     {
-      CopyReceivers(receivers, receiversOutput);
-      AttachAllDistances(curves, this->BothSides, receiversOutput);
+      kalos::copyReceivers(receivers, receiversOutput);
+      kalos::attachAllDistances(curves, this->BothSides, receiversOutput);
     }
-    FillCurves(curves, curvesOutput);
-    FillReport(input, curves.report, table);
+    fillCurves(curves, curvesOutput);
+    fillReport(input, curves.report, table);
   });
 }
 

@@ -31,7 +31,7 @@
  * return.
  * - FlatAngle (0.5): deviation from a straight angle that counts as none, degrees, above 0 to 45.
  * - BothSides (off): judge an edge by the narrower of its two sides, not by the side of the normals.
- * - Tolerance (0): distance below which points are one and surfaces touch, m; 0: 10^-6 of the diagonal. Contacts
+ * - Tolerance (0): distance below which points are one and surfaces touch, m; 0: as vtkKalosSurfaceRepair. Contacts
  * shorter than four of it count as points; where edges cross at an angle, the ends of a contact are right to a few
  * tolerances over its sine.
  * - TimeLimit (600): time after which the search is given up, as on heaps of triangles that all cross, s; 0: none.

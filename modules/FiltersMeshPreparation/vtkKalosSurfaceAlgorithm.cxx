@@ -28,9 +28,9 @@ int vtkKalosSurfaceAlgorithm::RequestData(vtkInformation*, vtkInformationVector*
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   vtkTable* report = vtkTable::GetData(outputs, 1);
-  return kalos::Guarded(this, {output, report}, [&] {
-    kalos::CheckTimeLimit(this->TimeLimit);
-    kalos::ConvertedMesh converted = kalos::ConvertMesh(input);
+  return kalos::guarded(this, {output, report}, [&] {
+    kalos::checkTimeLimit(this->TimeLimit);
+    kalos::ConvertedMesh converted = kalos::convertMesh(input);
     this->Work(input, converted, output, report);
   });
 }

@@ -6,8 +6,8 @@
  * Input, vtkPolyData: polygons and strips. Output port 0, vtkPolyData: triangles with the cell arrays of the cells they
  * come from, and the field data. Output port 1, vtkTable (Quantity, Unit, Value): what was done.
  *
- * Property: TimeLimit (600), s; 0: none. Work that has not ended by then is given up, as on meshes so spoilt that
- * remeshing would never end.
+ * Property: TimeLimit (600), s; 0: none. Work that takes longer is given up: on badly damaged
+ * meshes remeshing may never end.
  *
  * Progress is reported and AbortExecute obeyed; then the outputs are empty. So they are after an error, which is one
  * error event: no polygons, a cell array of another length than the cells, a point that is missing, NaN or infinite,

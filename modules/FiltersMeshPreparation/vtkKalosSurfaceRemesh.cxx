@@ -19,7 +19,7 @@ namespace
 {
 constexpr double DegreesPerRadian = 180.0 / 3.14159265358979323846;
 
-std::vector<double> WantedLengths(vtkPolyData* input, const std::string& name)
+std::vector<double> wantedLengths(vtkPolyData* input, const std::string& name)
 {
   if (name.empty())
   {
@@ -38,26 +38,26 @@ std::vector<double> WantedLengths(vtkPolyData* input, const std::string& name)
   return lengths;
 }
 
-void FillReport(const kalos::meshing::RemeshReport& done, double edgeLength, vtkTable* table)
+void fillReport(const kalos::meshing::RemeshReport& done, double edgeLength, vtkTable* table)
 {
   kalos::ReportTable report(table);
-  report.Add("triangles before", "", static_cast<double>(done.trianglesBefore));
-  report.Add("triangles after", "", static_cast<double>(done.trianglesAfter));
-  report.Add("points after", "", static_cast<double>(done.pointsAfter));
-  report.Add("patches", "", static_cast<double>(done.patches));
-  report.Add("area before", "m\xC2\xB2", done.areaBefore);
-  report.Add("area after", "m\xC2\xB2", done.areaAfter);
-  report.Add("smallest angle", "degrees", DegreesPerRadian * done.minimumAngle);
-  report.Add("share of triangles with an angle below 20 degrees", "", done.smallAngles);
-  report.Add("wanted edge length", "m", edgeLength);
-  report.Add("shortest edge", "m", done.shortest);
-  report.Add("mean edge", "m", done.mean);
-  report.Add("longest edge", "m", done.longest);
+  report.add("triangles before", "", static_cast<double>(done.trianglesBefore));
+  report.add("triangles after", "", static_cast<double>(done.trianglesAfter));
+  report.add("points after", "", static_cast<double>(done.pointsAfter));
+  report.add("patches", "", static_cast<double>(done.patches));
+  report.add("area before", "m\xC2\xB2", done.areaBefore);
+  report.add("area after", "m\xC2\xB2", done.areaAfter);
+  report.add("smallest angle", "degrees", DegreesPerRadian * done.minimumAngle);
+  report.add("share of triangles with an angle below 20 degrees", "", done.smallAngles);
+  report.add("wanted edge length", "m", edgeLength);
+  report.add("shortest edge", "m", done.shortest);
+  report.add("mean edge", "m", done.mean);
+  report.add("longest edge", "m", done.longest);
   for (std::size_t bin = 0; bin < done.histogram.size(); ++bin)
   {
     const std::string from = std::to_string(25 * bin), to = std::to_string(25 * (bin + 1));
     const bool last = bin + 1 == done.histogram.size();
-    report.Add("edges of " + from + (last ? " % or more" : " to " + to + " %") + " of the wanted length", "",
+    report.add("edges of " + from + (last ? " % or more" : " to " + to + " %") + " of the wanted length", "",
                static_cast<double>(done.histogram[bin]));
   }
 }
@@ -78,7 +78,7 @@ void vtkKalosSurfaceRemesh::Work(vtkPolyData* input, kalos::ConvertedMesh& conve
   settings.iterations = this->Iterations;
   settings.smallest = this->SmallestEdgeLength;
   settings.grading = this->Grading;
-  settings.wanted = WantedLengths(input, this->SizeArrayName);
+  settings.wanted = wantedLengths(input, this->SizeArrayName);
   if (!this->ResultArrayName.empty())
   {
     if (!(this->ResultChange > 0.0 && std::isfinite(this->ResultChange)))
@@ -86,15 +86,15 @@ void vtkKalosSurfaceRemesh::Work(vtkPolyData* input, kalos::ConvertedMesh& conve
       throw std::invalid_argument("ResultChange is not allowed; expected a share of the mean above 0");
     }
     const std::vector<double> forResult =
-        kalos::LengthsForResult(input, converted.Mesh, this->ResultArrayName, this->ResultChange, this->EdgeLength);
+        kalos::lengthsForResult(input, converted.mesh, this->ResultArrayName, this->ResultChange, this->EdgeLength);
     settings.wanted.resize(forResult.size(), this->EdgeLength);
     std::transform(forResult.begin(), forResult.end(), settings.wanted.begin(), settings.wanted.begin(),
                    [](double a, double b) { return std::min(a, b); });
   }
   settings.maximumTriangles = static_cast<std::size_t>(std::max<vtkIdType>(0, this->MaximumTriangles));
-  const auto done = kalos::meshing::remesh(converted.Mesh, settings, kalos::ProgressOf(this, this->TimeLimit));
-  kalos::FillPolyData(converted.Mesh, input, output);
-  FillReport(done, this->EdgeLength, table);
+  const auto done = kalos::meshing::remesh(converted.mesh, settings, kalos::progressOf(this, this->TimeLimit));
+  kalos::fillPolyData(converted.mesh, input, output);
+  fillReport(done, this->EdgeLength, table);
 }
 
 void vtkKalosSurfaceRemesh::PrintSelf(ostream& os, vtkIndent indent)

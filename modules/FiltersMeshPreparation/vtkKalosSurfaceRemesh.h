@@ -30,7 +30,7 @@
  * - TimeLimit (600): time after which the work is given up, s; 0: none.
  *
  * Where wanted lengths differ they go down in steps of a half. Progress is reported and AbortExecute and TimeLimit
- * obeyed all the time; then the outputs are empty.
+ * obeyed at any time; then the outputs are empty.
  *
  * Errors: no polygons, a bad point, a property out of range, no such array, an edge length that needs more than
  * MaximumTriangles or the memory, the time limit: one error event and empty outputs. A build with this class contains

@@ -19,7 +19,7 @@
 namespace
 {
 /** By cell: whether it emits. */
-std::vector<std::uint8_t> EmittingCells(vtkPolyData* input)
+std::vector<std::uint8_t> emittingCells(vtkPolyData* input)
 {
   std::vector<std::uint8_t> emits;
   if (vtkDataArray* exitance = input->GetCellData()->GetArray(vtkKalosArrayNames::Exitance))
@@ -36,13 +36,13 @@ std::vector<std::uint8_t> EmittingCells(vtkPolyData* input)
   return emits;
 }
 
-void FillReport(const kalos::ConvertedMesh& input, const kalos::meshing::RepairReport& done, vtkTable* table)
+void fillReport(const kalos::ConvertedMesh& input, const kalos::meshing::RepairReport& done, vtkTable* table)
 {
   kalos::ReportTable report(table);
-  const auto count = [&](const char* name, std::size_t value) { report.Add(name, "", static_cast<double>(value)); };
-  count("polygons", static_cast<std::size_t>(input.Polygons));
-  count("vertices and lines left out", static_cast<std::size_t>(input.Ignored));
-  count("polygons of fewer than 3 corners left out", static_cast<std::size_t>(input.Degenerate));
+  const auto count = [&](const char* name, std::size_t value) { report.add(name, "", static_cast<double>(value)); };
+  count("polygons", static_cast<std::size_t>(input.polygons));
+  count("vertices and lines left out", static_cast<std::size_t>(input.ignored));
+  count("polygons of fewer than 3 corners left out", static_cast<std::size_t>(input.degenerate));
   count("points before", done.pointsBefore);
   count("points after", done.pointsAfter);
   count("points merged", done.pointsMerged);
@@ -61,22 +61,22 @@ void FillReport(const kalos::ConvertedMesh& input, const kalos::meshing::RepairR
   count("non-manifold edges after", done.nonManifoldAfter);
   count("surfaces", done.surfaces);
   count("cells not repaired", done.unrepaired.size());
-  report.Add("tolerance", "m", done.tolerance);
-  report.Add("area before", "m\xC2\xB2", done.areaBefore);
-  report.Add("area of degenerate triangles dropped", "m\xC2\xB2", done.degenerateArea);
-  report.Add("area of duplicate triangles dropped", "m\xC2\xB2", done.duplicateArea);
-  report.Add("area after", "m\xC2\xB2", done.areaAfter);
+  report.add("tolerance", "m", done.tolerance);
+  report.add("area before", "m\xC2\xB2", done.areaBefore);
+  report.add("area of degenerate triangles dropped", "m\xC2\xB2", done.degenerateArea);
+  report.add("area of duplicate triangles dropped", "m\xC2\xB2", done.duplicateArea);
+  report.add("area after", "m\xC2\xB2", done.areaAfter);
   for (int i = 0; i < 3; ++i)
   {
     const std::string axis(1, "xyz"[i]);
-    report.Add("smallest " + axis + " before", "m", done.boundsBefore.low[i]);
-    report.Add("largest " + axis + " before", "m", done.boundsBefore.high[i]);
-    report.Add("smallest " + axis + " after", "m", done.boundsAfter.low[i]);
-    report.Add("largest " + axis + " after", "m", done.boundsAfter.high[i]);
+    report.add("smallest " + axis + " before", "m", done.boundsBefore.low[i]);
+    report.add("largest " + axis + " before", "m", done.boundsBefore.high[i]);
+    report.add("smallest " + axis + " after", "m", done.boundsAfter.low[i]);
+    report.add("largest " + axis + " after", "m", done.boundsAfter.high[i]);
   }
 }
 
-void NameUnrepaired(const std::vector<kalos::meshing::Unrepaired>& unrepaired, vtkPolyData* output)
+void nameUnrepaired(const std::vector<kalos::meshing::Unrepaired>& unrepaired, vtkPolyData* output)
 {
   vtkNew<vtkStringArray> names;
   names->SetName(vtkKalosSurfaceRepair::UnrepairedArrayName());
@@ -101,15 +101,15 @@ void vtkKalosSurfaceRepair::Work(vtkPolyData* input, kalos::ConvertedMesh& conve
   }
   kalos::meshing::RepairSettings settings;
   settings.tolerance = this->Tolerance;
-  settings.sided = EmittingCells(input);
-  auto done = kalos::meshing::repair(converted.Mesh, settings, kalos::ProgressOf(this, this->TimeLimit));
-  for (const vtkIdType cell : converted.Crossing)
+  settings.sided = emittingCells(input);
+  auto done = kalos::meshing::repair(converted.mesh, settings, kalos::progressOf(this, this->TimeLimit));
+  for (const vtkIdType cell : converted.crossing)
   {
     done.unrepaired.push_back({static_cast<std::uint32_t>(cell), "its outline crosses itself; cut into a fan"});
   }
-  kalos::FillPolyData(converted.Mesh, input, output);
-  NameUnrepaired(done.unrepaired, output);
-  FillReport(converted, done, table);
+  kalos::fillPolyData(converted.mesh, input, output);
+  nameUnrepaired(done.unrepaired, output);
+  fillReport(converted, done, table);
 }
 
 void vtkKalosSurfaceRepair::PrintSelf(ostream& os, vtkIndent indent)

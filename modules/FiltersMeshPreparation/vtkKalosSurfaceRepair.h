@@ -24,7 +24,8 @@
  * the report, too.
  *
  * Properties:
- * - Tolerance (0): distance below which points are one, m; 0: 10^-6 of the diagonal of the input.
+ * - Tolerance (0): distance below which points are one, m; 0: 10^-6 of the diagonal, but for each point at most
+ *   10^-4 of its shortest edge and at least the rounding of its coordinates, so that gaps stay open on wide sites.
  * - TimeLimit (600): time after which the work is given up, s; 0: none.
  *
  * Progress is reported and AbortExecute obeyed; then the outputs are empty.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** A name beside a file's place to write under; removed unless moved into place. */
+/** A temporary file beside the target; removed unless it is moved into place. */
 #ifndef KalosTemporaryFile_h
 #define KalosTemporaryFile_h
 
@@ -28,10 +28,10 @@ public:
   TemporaryFile(const TemporaryFile&) = delete;
   void operator=(const TemporaryFile&) = delete;
 
-  const std::string& Path() const { return this->Name; }
+  const std::string& path() const { return this->Name; }
 
   /** Replace the target in one step; throws std::filesystem::filesystem_error. */
-  void MoveIntoPlace() const { std::filesystem::rename(this->Name, this->Target); }
+  void moveIntoPlace() const { std::filesystem::rename(this->Name, this->Target); }
 
 private:
   std::string Target;

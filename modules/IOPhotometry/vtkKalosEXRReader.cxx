@@ -4,7 +4,9 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfTestFile.h>
 
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include "image/ExrHeader.h"
+#include "image/ExrPrimaries.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -32,11 +35,11 @@ using Problem = std::invalid_argument;
 
 struct Size
 {
-  int Width;
-  int Height;
+  int width;
+  int height;
 };
 
-void CheckFile(const char* path)
+void checkFile(const char* path)
 {
   std::error_code ignored;
   if (!path || !*path)
@@ -52,14 +55,14 @@ void CheckFile(const char* path)
     throw Problem("file: not an OpenEXR image; expected one");
   }
   const std::string problem =
-      kalos::CheckExrHeader(path, static_cast<double>(vtkKalosEXRReader::MaximumNumberOfPixels()));
+      kalos::checkExrHeader(path, static_cast<double>(vtkKalosEXRReader::MaximumNumberOfPixels()));
   if (!problem.empty())
   {
     throw Problem("header: " + problem);
   }
 }
 
-Size SizeOf(const Imf::Header& header)
+Size sizeOf(const Imf::Header& header)
 {
   const Imath::Box2i& window = header.dataWindow();
   const double width = static_cast<double>(window.max.x) - window.min.x + 1.0;
@@ -73,22 +76,22 @@ Size SizeOf(const Imf::Header& header)
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
-bool HasChannel(const Imf::Header& header, const char* name)
+bool hasChannel(const Imf::Header& header, const char* name)
 {
   const Imf::Channel* channel = header.channels().findChannel(name);
   return channel && channel->xSampling == 1 && channel->ySampling == 1;
 }
 
 /** The named channels as one array, bottom row first. */
-vtkSmartPointer<vtkFloatArray> ReadArray(Imf::InputFile& file, const char* arrayName,
+vtkSmartPointer<vtkFloatArray> readArray(Imf::InputPart& file, const char* arrayName,
                                          const std::vector<const char*>& channels)
 {
-  const Size size = SizeOf(file.header());
+  const Size size = sizeOf(file.header());
   const Imath::Box2i& window = file.header().dataWindow();
   const auto components = static_cast<int>(channels.size());
   const std::size_t pixel = sizeof(float) * components;
-  const std::size_t row = pixel * size.Width;
-  std::vector<char> buffer(row * size.Height);
+  const std::size_t row = pixel * size.width;
+  std::vector<char> buffer(row * size.height);
 
   // OpenEXR addresses pixel (x, y) at base + x * pixel + y * row; the window need not start at 0.
   const auto shift = static_cast<std::ptrdiff_t>(window.min.x) * static_cast<std::ptrdiff_t>(pixel) +
@@ -104,16 +107,16 @@ vtkSmartPointer<vtkFloatArray> ReadArray(Imf::InputFile& file, const char* array
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName(arrayName);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(size.Width) * size.Height);
-  for (int y = 0; y < size.Height; ++y)
+  array->SetNumberOfTuples(static_cast<vtkIdType>(size.width) * size.height);
+  for (int y = 0; y < size.height; ++y)
   {
-    const char* from = buffer.data() + row * (size.Height - 1 - y);
+    const char* from = buffer.data() + row * (size.height - 1 - y);
     std::copy(from, from + row, reinterpret_cast<char*>(array->GetPointer(0)) + row * y);
   }
   return array;
 }
 
-void Multiply(vtkFloatArray* array, float factor)
+void multiply(vtkFloatArray* array, float factor)
 {
   for (vtkIdType i = 0; factor != 1.0F && i < array->GetNumberOfValues(); ++i)
   {
@@ -121,31 +124,38 @@ void Multiply(vtkFloatArray* array, float factor)
   }
 }
 
-vtkSmartPointer<vtkFloatArray> LuminanceOf(vtkFloatArray* bands)
+bool hasRgb(const Imf::Header& header)
 {
-  auto luminance = vtkSmartPointer<vtkFloatArray>::New();
-  luminance->SetName(vtkKalosArrayNames::Luminance);
-  luminance->SetNumberOfTuples(bands->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < bands->GetNumberOfTuples(); ++i)
-  {
-    const float* rgb = bands->GetPointer(3 * i);
-    luminance->SetValue(i, static_cast<float>(0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]));
-  }
-  return luminance;
+  return hasChannel(header, "R") && hasChannel(header, "G") && hasChannel(header, "B");
 }
 
-vtkSmartPointer<vtkImageData> ReadImage(const char* path)
+/** The first part with luminance. */
+int findPart(const Imf::MultiPartInputFile& file)
+{
+  for (int part = 0; part < file.parts(); ++part)
+  {
+    const Imf::Header& header = file.header(part);
+    const bool flat = !header.hasType() || header.type() == Imf::SCANLINEIMAGE || header.type() == Imf::TILEDIMAGE;
+    if (flat && (hasRgb(header) || hasChannel(header, "Y")))
+    {
+      return part;
+    }
+  }
+  throw Problem(file.parts() == 1
+                    ? std::string("header: no luminance; expected the channel Y, or R, G and B, at full resolution")
+                    : "header: none of the " + std::to_string(file.parts()) +
+                          " parts has a luminance by itself; expected a part with the channel Y, or R, G and B");
+}
+
+vtkSmartPointer<vtkImageData> readImage(const char* path)
 {
   using namespace vtkKalosArrayNames;
-  CheckFile(path);
-  Imf::InputFile file(path);
+  checkFile(path);
+  Imf::MultiPartInputFile parts(path);
+  Imf::InputPart file(parts, findPart(parts));
   const Imf::Header& header = file.header();
-  const Size size = SizeOf(header);
-  const bool rgb = HasChannel(header, "R") && HasChannel(header, "G") && HasChannel(header, "B");
-  if (!rgb && !HasChannel(header, "Y"))
-  {
-    throw Problem("header: no luminance; expected the channel Y, or R, G and B, at full resolution");
-  }
+  const Size size = sizeOf(header);
+  const bool rgb = hasRgb(header);
   const float unit = Imf::hasWhiteLuminance(header) ? Imf::whiteLuminance(header) : 1.0F;
   if (!(std::isfinite(unit) && unit > 0.0F))
   {
@@ -153,23 +163,29 @@ vtkSmartPointer<vtkImageData> ReadImage(const char* path)
   }
 
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(size.Width, size.Height, 1);
+  image->SetDimensions(size.width, size.height, 1);
   vtkPointData* data = image->GetPointData();
   const auto add = [&](const char* name, const std::vector<const char*>& channels) {
-    auto array = ReadArray(file, name, channels);
-    Multiply(array, unit);
+    auto array = readArray(file, name, channels);
+    multiply(array, unit);
     data->AddArray(array);
     return array;
   };
   if (rgb)
   {
-    data->AddArray(LuminanceOf(add(LuminanceBands, {"R", "G", "B"})));
+    const kalos::ExrPrimaries primaries = kalos::primariesOf(header);
+    const auto bands = add(LuminanceBands, {"R", "G", "B"});
+    data->AddArray(kalos::luminanceOf(bands, primaries));
+    if (!primaries.isRec709)
+    {
+      kalos::toRec709(bands, primaries);
+    }
   }
   else
   {
     add(Luminance, {"Y"});
   }
-  if (HasChannel(header, "Y.standardError"))
+  if (hasChannel(header, "Y.standardError"))
   {
     add(LuminanceStandardError, {"Y.standardError"});
   }
@@ -177,15 +193,16 @@ vtkSmartPointer<vtkImageData> ReadImage(const char* path)
   return image;
 }
 
-Size ReadSize(const char* path)
+Size readSize(const char* path)
 {
-  CheckFile(path);
-  return SizeOf(Imf::InputFile(path).header());
+  checkFile(path);
+  const Imf::MultiPartInputFile parts(path);
+  return sizeOf(parts.header(findPart(parts)));
 }
 
 /** Run a step of reading; false and one message if it fails. */
 template <typename Step>
-std::string Try(const char* path, Step step)
+std::string attempt(const char* path, Step step)
 {
   const std::string file = path && *path ? std::string(path) + ": " : "image: ";
   try
@@ -226,14 +243,14 @@ int vtkKalosEXRReader::CanReadFile(const char* path)
 int vtkKalosEXRReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   Size size{};
-  const std::string problem = Try(this->FileName, [&]() { size = ReadSize(this->FileName); });
+  const std::string problem = attempt(this->FileName, [&]() { size = readSize(this->FileName); });
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);
     return 0;
   }
   vtkInformation* info = outputVector->GetInformationObject(0);
-  const int extent[6] = {0, size.Width - 1, 0, size.Height - 1, 0, 0};
+  const int extent[6] = {0, size.width - 1, 0, size.height - 1, 0, 0};
   const double zero[3] = {0.0, 0.0, 0.0};
   const double one[3] = {1.0, 1.0, 1.0};
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
@@ -246,7 +263,7 @@ int vtkKalosEXRReader::RequestInformation(vtkInformation*, vtkInformationVector*
 int vtkKalosEXRReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkSmartPointer<vtkImageData> image;
-  const std::string problem = Try(this->FileName, [&]() { image = ReadImage(this->FileName); });
+  const std::string problem = attempt(this->FileName, [&]() { image = readImage(this->FileName); });
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);

@@ -6,10 +6,12 @@
  * Output: vtkImageData, width x height x 1, spacing 1, row 0 at the bottom, with float32 point arrays of
  * vtkKalosArrayNames.h; the size is that of the data window.
  *
- * | channels in the file | arrays |
- * |----------------------|---------------------------------------------------------------------------------------------|
- * | `Y`                  | Luminance, cd/m² | | `R`, `G`, `B`        | LuminanceBands (3 components) and Luminance =
- * 0.2126 R + 0.7152 G + 0.0722 B, cd/m²         | | `Y.standardError`    | LuminanceStandardError, cd/m² |
+ * - channel Y: Luminance, cd/m²
+ * - channels R, G and B: LuminanceBands (3 components, linear Rec. 709) and Luminance, cd/m²; the header's
+ *   chromaticities tell what they are, Rec. 709 without
+ * - channel Y.standardError: LuminanceStandardError, cd/m²
+ *
+ * Of a file of several parts, the first that has Y, or R, G and B, is read.
  *
  * All values are multiplied by the header's whiteLuminance, if it has one: files by other programs may count in units
  * of it. Channels of any type are read as float32. Values are passed on as they are: no clamp.

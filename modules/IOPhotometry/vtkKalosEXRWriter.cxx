@@ -12,10 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "TemporaryFile.h"
+#include "image/ImageFile.h"
 #include "image/LuminancePlanes.h"
 #include "vtkDataArray.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -28,7 +27,7 @@ namespace
 {
 using kalos::Plane;
 
-void AddProvenance(vtkFieldData* fields, Imf::Header& header)
+void addProvenance(vtkFieldData* fields, Imf::Header& header)
 {
   auto* version = vtkStringArray::SafeDownCast(fields->GetAbstractArray(vtkKalosArrayNames::KalosVersion));
   vtkDataArray* seed = fields->GetArray(vtkKalosArrayNames::Seed);
@@ -38,20 +37,20 @@ void AddProvenance(vtkFieldData* fields, Imf::Header& header)
     header.insert("kalosSeed", Imf::StringAttribute(seed->GetVariantValue(0).ToString()));
 }
 
-void WriteFile(const std::string& path, vtkImageData* image, const std::vector<Plane>& planes)
+void writeFile(const std::string& path, vtkImageData* image, const std::vector<Plane>& planes)
 {
   const int width = image->GetDimensions()[0], height = image->GetDimensions()[1];
   Imf::Header header(width, height);
-  AddProvenance(image->GetFieldData(), header);
+  addProvenance(image->GetFieldData(), header);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::addChromaticities(header, Imf::Chromaticities());  // the defaults are those of Rec. 709
   Imf::addWhiteLuminance(header, 1.0F);
   Imf::FrameBuffer frame;
   for (const Plane& plane : planes)
   {
-    header.channels().insert(plane.Channel, Imf::Channel(Imf::FLOAT));
-    char* base = reinterpret_cast<char*>(const_cast<float*>(plane.Samples.data()));
-    frame.insert(plane.Channel, Imf::Slice(Imf::FLOAT, base, sizeof(float), sizeof(float) * width));
+    header.channels().insert(plane.channel, Imf::Channel(Imf::FLOAT));
+    char* base = reinterpret_cast<char*>(const_cast<float*>(plane.samples.data()));
+    frame.insert(plane.channel, Imf::Slice(Imf::FLOAT, base, sizeof(float), sizeof(float) * width));
   }
   Imf::OutputFile file(path.c_str(), header);
   file.setFrameBuffer(frame);
@@ -76,30 +75,15 @@ int vtkKalosEXRWriter::FillInputPortInformation(int, vtkInformation* info)
 
 void vtkKalosEXRWriter::WriteData()
 {
-  if (!this->FileName || !*this->FileName)
+  vtkImageData* image = vtkImageData::SafeDownCast(this->GetInput());
+  const auto write = [&](const std::string& path, const std::vector<kalos::Plane>& planes) {
+    writeFile(path, image, planes);
+  };
+  const kalos::ImageFileError error = kalos::writeImageFile(this->FileName, ".exr", image, write);
+  if (!error.message.empty())
   {
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro("image: FileName: not set; expected the path of an .exr file");
-    return;
-  }
-  try
-  {
-    vtkImageData* image = vtkImageData::SafeDownCast(this->GetInput());
-    const std::vector<Plane> planes = kalos::MakePlanes(image);
-    const kalos::TemporaryFile temporary(this->FileName);
-    WriteFile(temporary.Path(), image, planes);
-    temporary.MoveIntoPlace();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
-    vtkErrorMacro(<< this->FileName << ": " << error.what());
-  }
-  catch (const std::exception&)
-  {
-    // OpenEXR's text names the temporary file, which helps nobody.
-    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
-    vtkErrorMacro(<< this->FileName << ": file: cannot be written; expected a writable folder with room on the disk");
+    this->SetErrorCode(error.code);
+    vtkErrorMacro(<< error.message);
   }
 }
 

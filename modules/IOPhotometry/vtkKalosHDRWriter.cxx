@@ -8,9 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "TemporaryFile.h"
+#include "image/ImageFile.h"
 #include "image/LuminancePlanes.h"
-#include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -22,13 +21,13 @@ constexpr double Efficacy = 179.0;  // lm/W of Radiance's white
 using Color = std::array<double, 3>;
 
 /** The luminance that Radiance sees in a colour, per efficacy. */
-double RadianceLuminance(const Color& c)
+double radianceLuminance(const Color& c)
 {
   return 0.265 * c[0] + 0.670 * c[1] + 0.065 * c[2];
 }
 
 /** Three mantissas with a common exponent; a reader adds half a step. */
-std::array<unsigned char, 4> Encode(const Color& color)
+std::array<unsigned char, 4> encode(const Color& color)
 {
   const double largest = std::max({color[0], color[1], color[2]});
   int exponent = 0;
@@ -47,20 +46,20 @@ std::array<unsigned char, 4> Encode(const Color& color)
 }
 
 /** The pixel's colour in Radiance's units, of the luminance that the bands have. */
-Color ColorOf(const std::vector<kalos::Plane>& planes, std::size_t i)
+Color colorOf(const std::vector<kalos::Plane>& planes, std::size_t i)
 {
-  if (planes[0].Channel != "R")
+  if (planes[0].channel != "R")
   {
-    const double value = planes[0].Samples[i] / Efficacy;
+    const double value = planes[0].samples[i] / Efficacy;
     return {value, value, value};
   }
-  const Color rgb{planes[0].Samples[i], planes[1].Samples[i], planes[2].Samples[i]};
-  const double seen = RadianceLuminance(rgb);
+  const Color rgb{planes[0].samples[i], planes[1].samples[i], planes[2].samples[i]};
+  const double seen = radianceLuminance(rgb);
   const double scale = seen > 0.0 ? (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]) / (Efficacy * seen) : 0.0;
   return {scale * rgb[0], scale * rgb[1], scale * rgb[2]};
 }
 
-void WriteFile(const std::string& path, const int size[3], const std::vector<kalos::Plane>& planes,
+void writeFile(const std::string& path, const int size[3], const std::vector<kalos::Plane>& planes,
                const std::string& view)
 {
   std::ofstream file(path, std::ios::binary);
@@ -71,9 +70,9 @@ void WriteFile(const std::string& path, const int size[3], const std::vector<kal
   }
   file << "FORMAT=32-bit_rle_rgbe\n\n-Y " << size[1] << " +X " << size[0] << "\n";
   // Flat scan lines: a pixel whose largest mantissa is 128 or more can not be taken for a run.
-  for (std::size_t i = 0; i < planes[0].Samples.size(); ++i)
+  for (std::size_t i = 0; i < planes[0].samples.size(); ++i)
   {
-    const auto pixel = Encode(ColorOf(planes, i));
+    const auto pixel = encode(colorOf(planes, i));
     file.write(reinterpret_cast<const char*>(pixel.data()), 4);
   }
   file.close();
@@ -101,33 +100,19 @@ int vtkKalosHDRWriter::FillInputPortInformation(int, vtkInformation* info)
 
 void vtkKalosHDRWriter::WriteData()
 {
-  if (!this->FileName || !*this->FileName)
-  {
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro("image: FileName: not set; expected the path of an .hdr file");
-    return;
-  }
-  try
-  {
+  vtkImageData* image = vtkImageData::SafeDownCast(this->GetInput());
+  const auto write = [&](const std::string& path, const std::vector<kalos::Plane>& planes) {
     if (this->View.find_first_of("\r\n") != std::string::npos)
     {
       throw std::invalid_argument("View: more than one line; expected view options of Radiance");
     }
-    vtkImageData* image = vtkImageData::SafeDownCast(this->GetInput());
-    const std::vector<kalos::Plane> planes = kalos::MakePlanes(image);
-    const kalos::TemporaryFile temporary(this->FileName);
-    WriteFile(temporary.Path(), image->GetDimensions(), planes, this->View);
-    temporary.MoveIntoPlace();
-  }
-  catch (const std::invalid_argument& error)
+    writeFile(path, image->GetDimensions(), planes, this->View);
+  };
+  const kalos::ImageFileError error = kalos::writeImageFile(this->FileName, ".hdr", image, write);
+  if (!error.message.empty())
   {
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
-    vtkErrorMacro(<< this->FileName << ": " << error.what());
-  }
-  catch (const std::exception&)
-  {
-    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
-    vtkErrorMacro(<< this->FileName << ": file: cannot be written; expected a writable folder with room on the disk");
+    this->SetErrorCode(error.code);
+    vtkErrorMacro(<< error.message);
   }
 }
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "base/ErrorCatcher.h"
+#include "base/InputError.h"
 #include "photometric/PhotometricData.h"
-#include "scene/ErrorCatcher.h"
-#include "scene/SceneError.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -19,19 +19,19 @@
 
 struct vtkKalosPhotometryReader::Internals
 {
-  std::optional<kalos::PhotometricFile> File;
+  std::optional<kalos::PhotometricFile> file;
 
-  const kalos::PhotometryWarning* Warning(int index) const
+  const kalos::PhotometryWarning* warning(int index) const
   {
-    const bool known = this->File && index >= 0 && index < static_cast<int>(this->File->warnings.size());
-    return known ? &this->File->warnings[index] : nullptr;
+    const bool known = this->file && index >= 0 && index < static_cast<int>(this->file->warnings.size());
+    return known ? &this->file->warnings[index] : nullptr;
   }
 };
 
 namespace
 {
 /** The luminaire's two sides span its opening; a round one counts as the square of its area. */
-void SetOpening(vtkKalosLuminaireSource* source, const kalos::Opening& opening)
+void setOpening(vtkKalosLuminaireSource* source, const kalos::Opening& opening)
 {
   const double scale = opening.round ? std::sqrt(vtkMath::Pi()) / 2.0 : 1.0;
   source->SetOpeningAlongC0(opening.isPoint() ? 0.0 : scale * opening.alongC0);
@@ -39,7 +39,7 @@ void SetOpening(vtkKalosLuminaireSource* source, const kalos::Opening& opening)
 }
 
 /** Tuples (plane, angle, candela), plane by plane. */
-vtkSmartPointer<vtkDoubleArray> PackTable(const kalos::CandelaTable& table)
+vtkSmartPointer<vtkDoubleArray> packTable(const kalos::CandelaTable& table)
 {
   auto packed = vtkSmartPointer<vtkDoubleArray>::New();
   packed->SetNumberOfComponents(3);
@@ -75,7 +75,7 @@ int vtkKalosPhotometryReader::FillOutputPortInformation(int port, vtkInformation
 
 int vtkKalosPhotometryReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  this->Internal->File.reset();
+  this->Internal->file.reset();
   if (!this->FileName || !*this->FileName)
   {
     vtkErrorMacro("photometry: FileName: not set; expected the path of a photometric file");
@@ -83,14 +83,14 @@ int vtkKalosPhotometryReader::RequestData(vtkInformation*, vtkInformationVector*
   }
   try
   {
-    this->Internal->File = kalos::photometric::ReadFile(this->FileName, this->LampSet);
+    this->Internal->file = kalos::photometric::readFile(this->FileName, this->LampSet);
   }
   catch (const kalos::PhotometryError& error)
   {
-    vtkErrorMacro(<< kalos::scene::OneLine(std::string(this->FileName) + ": " + error.what()));
+    vtkErrorMacro(<< kalos::scene::oneLine(std::string(this->FileName) + ": " + error.what()));
     return 0;
   }
-  const kalos::PhotometricFile& file = *this->Internal->File;
+  const kalos::PhotometricFile& file = *this->Internal->file;
 
   const double length = vtkMath::Norm(this->Aim);
   const double down = length > 0.0 ? -this->Aim[2] / length : 1.0;
@@ -101,23 +101,23 @@ int vtkKalosPhotometryReader::RequestData(vtkInformation*, vtkInformationVector*
   source->SetAim(this->Aim);
   source->SetRotationDegrees(this->RotationDegrees);
   source->SetFlux(this->Flux != 0.0 ? this->Flux : file.table.flux() * file.tiltFactor(tilt));
-  source->SetCandelaTable(PackTable(file.table), file.table.pole() == kalos::CandelaTable::Pole::Side);
-  SetOpening(source, file.opening);
+  source->SetCandelaTable(packTable(file.table), file.table.pole() == kalos::CandelaTable::Pole::Side);
+  setOpening(source, file.opening);
   kalos::scene::ErrorCatcher errors(source);
   source->Update();
-  if (!errors.Empty())
+  if (!errors.empty())
   {
-    this->Internal->File.reset();
-    vtkErrorMacro(<< this->FileName << ": " << errors.FirstLine());
+    this->Internal->file.reset();
+    vtkErrorMacro(<< this->FileName << ": " << errors.firstLine());
     return 0;
   }
   for (const kalos::PhotometryWarning& warning : file.warnings)
   {
     vtkWarningMacro(<< this->FileName << ": " << warning.message());
   }
-  kalos::photometric::FillSolid(file.table, vtkPolyData::GetData(outputVector, 0));
-  kalos::photometric::FillTable(file.table, vtkTable::GetData(outputVector, 1));
-  kalos::photometric::FillPolarCurves(file.table, vtkPolyData::GetData(outputVector, 2));
+  kalos::photometric::fillSolid(file.table, vtkPolyData::GetData(outputVector, 0));
+  kalos::photometric::fillTable(file.table, vtkTable::GetData(outputVector, 1));
+  kalos::photometric::fillPolarCurves(file.table, vtkPolyData::GetData(outputVector, 2));
   vtkPolyData::GetData(outputVector, 3)->ShallowCopy(source->GetOutput());
   return 1;
 }
@@ -126,7 +126,7 @@ int vtkKalosPhotometryReader::CanReadFile(const char* path)
 {
   try
   {
-    kalos::photometric::ReadFile(path ? path : "", 1);
+    kalos::photometric::readFile(path ? path : "", 1);
     return 1;
   }
   catch (const kalos::PhotometryError&)
@@ -137,85 +137,85 @@ int vtkKalosPhotometryReader::CanReadFile(const char* path)
 
 std::string vtkKalosPhotometryReader::GetFormat() const
 {
-  return this->Internal->File ? this->Internal->File->format : std::string();
+  return this->Internal->file ? this->Internal->file->format : std::string();
 }
 
 std::string vtkKalosPhotometryReader::GetLuminaireName() const
 {
   // Latin-1 is common in these files; VTK's strings are UTF-8.
-  return this->Internal->File ? kalos::scene::Quotable(this->Internal->File->name) : std::string();
+  return this->Internal->file ? kalos::scene::quotable(this->Internal->file->name) : std::string();
 }
 
 double vtkKalosPhotometryReader::GetLampFlux() const
 {
-  return this->Internal->File ? this->Internal->File->lampFlux : 0.0;
+  return this->Internal->file ? this->Internal->file->lampFlux : 0.0;
 }
 
 double vtkKalosPhotometryReader::GetTableFlux() const
 {
-  return this->Internal->File ? this->Internal->File->table.flux() : 0.0;
+  return this->Internal->file ? this->Internal->file->table.flux() : 0.0;
 }
 
 double vtkKalosPhotometryReader::GetLargestIntensity() const
 {
-  return this->Internal->File ? this->Internal->File->table.largest() : 0.0;
+  return this->Internal->file ? this->Internal->file->table.largest() : 0.0;
 }
 
 double vtkKalosPhotometryReader::GetOpeningAlongC0() const
 {
-  return this->Internal->File ? this->Internal->File->opening.alongC0 : 0.0;
+  return this->Internal->file ? this->Internal->file->opening.alongC0 : 0.0;
 }
 
 double vtkKalosPhotometryReader::GetOpeningAlongC90() const
 {
-  return this->Internal->File ? this->Internal->File->opening.alongC90 : 0.0;
+  return this->Internal->file ? this->Internal->file->opening.alongC90 : 0.0;
 }
 
 double vtkKalosPhotometryReader::GetOpeningHeight() const
 {
-  return this->Internal->File ? this->Internal->File->opening.height : 0.0;
+  return this->Internal->file ? this->Internal->file->opening.height : 0.0;
 }
 
 bool vtkKalosPhotometryReader::GetOpeningIsRound() const
 {
-  return this->Internal->File && this->Internal->File->opening.round;
+  return this->Internal->file && this->Internal->file->opening.round;
 }
 
 int vtkKalosPhotometryReader::GetNumberOfLampSets() const
 {
-  return this->Internal->File ? this->Internal->File->lampSets : 0;
+  return this->Internal->file ? this->Internal->file->lampSets : 0;
 }
 
 double vtkKalosPhotometryReader::GetIntensity(double c, double gamma) const
 {
-  return this->Internal->File ? kalos::photometric::Intensity(this->Internal->File->table, c, gamma) : 0.0;
+  return this->Internal->file ? kalos::photometric::intensity(this->Internal->file->table, c, gamma) : 0.0;
 }
 
 void vtkKalosPhotometryReader::SampleDirection(double u1, double u2, double angles[2]) const
 {
-  if (!this->Internal->File)
+  if (!this->Internal->file)
   {
     return;
   }
-  const kalos::Vec3 d = this->Internal->File->table.sample(u1, u2);
+  const kalos::Vec3 d = this->Internal->file->table.sample(u1, u2);
   angles[0] = vtkMath::DegreesFromRadians(std::atan2(d.y, d.x));
   angles[1] = vtkMath::DegreesFromRadians(std::atan2(std::hypot(d.x, d.y), d.z));
 }
 
 int vtkKalosPhotometryReader::GetNumberOfWarnings() const
 {
-  return this->Internal->File ? static_cast<int>(this->Internal->File->warnings.size()) : 0;
+  return this->Internal->file ? static_cast<int>(this->Internal->file->warnings.size()) : 0;
 }
 
 std::string vtkKalosPhotometryReader::GetWarningCode(int index) const
 {
-  const auto* warning = this->Internal->Warning(index);
+  const auto* warning = this->Internal->warning(index);
   return warning ? warning->code : std::string();
 }
 
 std::string vtkKalosPhotometryReader::GetWarning(int index) const
 {
-  const auto* warning = this->Internal->Warning(index);
+  const auto* warning = this->Internal->warning(index);
   return warning ? warning->message() : std::string();
 }
 

@@ -9,28 +9,32 @@
 #include <set>
 #include <vector>
 
+#include "base/InputError.h"
 #include "model/ModelFile.h"
-#include "model/ModelScene.h"
+#include "scene/ModelScene.h"
 #include "scene/SceneCameras.h"
-#include "scene/SceneError.h"
 #include "scene/SceneLuminaires.h"
 #include "scene/SceneMaterials.h"
 #include "scene/SceneReceivers.h"
 #include "scene/SceneSurfaces.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkKalosArrayNames.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 struct vtkKalosSceneReader::Internals
 {
-  std::vector<kalos::scene::Camera> Cameras;
+  std::vector<kalos::scene::Camera> cameras;
 
-  const kalos::scene::Camera* Find(int index) const
+  const kalos::scene::Camera* find(int index) const
   {
-    return index >= 0 && index < static_cast<int>(this->Cameras.size()) ? &this->Cameras[index] : nullptr;
+    return index >= 0 && index < static_cast<int>(this->cameras.size()) ? &this->cameras[index] : nullptr;
   }
 };
 
@@ -40,78 +44,109 @@ using namespace kalos::scene;
 
 struct Scene
 {
-  vtkSmartPointer<vtkPolyData> Surfaces;
-  vtkSmartPointer<vtkPolyData> Luminaires;
-  vtkSmartPointer<vtkMultiBlockDataSet> Receivers;
-  std::vector<Camera> Cameras;
+  vtkSmartPointer<vtkPolyData> surfaces;
+  vtkSmartPointer<vtkPolyData> luminaires;
+  vtkSmartPointer<vtkMultiBlockDataSet> receivers;
+  std::vector<Camera> cameras;
 };
 
-std::string ReadText(const std::string& path)
+std::string readText(const std::string& path)
 {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
   {
-    throw SceneError("file", "no such file; expected a scene file");
+    throw InputError("file", "no such file; expected a scene file");
   }
   if (std::filesystem::file_size(path, error) > MaximumBytes)
   {
-    throw SceneError("file", "larger than " + std::to_string(MaximumBytes >> 20) + " MiB; expected a scene file");
+    throw InputError("file", "larger than " + std::to_string(MaximumBytes >> 20) + " MiB; expected a scene file");
   }
   std::ifstream file(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (!file)
   {
-    throw SceneError("file", "cannot be read; expected a readable scene file");
+    throw InputError("file", "cannot be read; expected a readable scene file");
   }
   return text;
 }
 
 /** The scene file's text, or for a model the scene that holds nothing but it. */
-nlohmann::json ReadJson(const std::string& path)
+nlohmann::json readJson(const std::string& path, double unit, const std::string& up)
 {
-  if (!IsModelFile(path))
+  if (!isModelFile(path))
   {
-    return ParseJson(ReadText(path));
+    return parseJson(readText(path));
   }
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
   {
-    throw SceneError("file", "no such file; expected a scene or model file");
+    throw InputError("file", "no such file; expected a scene or model file");
   }
-  return {{"kalos", 1}, {"surfaces", {{{"file", std::filesystem::path(path).filename().string()}}}}};
+  nlohmann::json model{{"file", std::filesystem::path(path).filename().string()}};
+  if (unit != 1.0)
+  {
+    model["scale"] = unit;
+  }
+  if (!up.empty())
+  {
+    model["up"] = up;
+  }
+  return {{"kalos", 1}, {"surfaces", nlohmann::json::array({model})}};
 }
 
-Scene ReadScene(const std::string& path)
+/** Without light every value is 0; say so, because the results alone look like an estimate. */
+void tellDarkness(const Scene& scene, Notes& notes)
 {
-  const nlohmann::json json = ReadJson(path);
-  const Node root(json, "scene");
-  root.CheckKeys({"kalos", "materials", "surfaces", "luminaires", "receivers", "cameras"});
-  root.At("kalos").Integer(1, 1);
+  vtkDataArray* flux = scene.luminaires->GetPointData()->GetArray(vtkKalosArrayNames::LuminousFlux);
+  vtkDataArray* exitance = scene.surfaces->GetCellData()->GetArray(vtkKalosArrayNames::Exitance);
+  const auto shines = [](vtkDataArray* array) {
+    for (int c = 0; array && array->GetNumberOfTuples() > 0 && c < array->GetNumberOfComponents(); ++c)
+    {
+      if (array->GetRange(c)[1] > 0.0)
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  if (!shines(flux) && !shines(exitance))
+  {
+    notes.push_back({"light", "none", "no luminaire has a flux and no surface an exitance: every value is 0"});
+  }
+}
+
+Scene readScene(const std::string& path, double unit, const std::string& up)
+{
+  const nlohmann::json json = readJson(path, unit, up);
+  const JsonCursor root(json, "scene");
+  root.checkKeys({"kalos", "materials", "surfaces", "luminaires", "receivers", "cameras"});
+  root.at("kalos").integer(1, 1);
 
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  SceneSurfaces surfaces = ReadSurfaces(root, ReadMaterials(root), folder);
+  SceneSurfaces surfaces = readSurfaces(root, readMaterials(root), folder);
   std::set<std::string> names;
   Scene scene;
-  scene.Surfaces = MakeSurfaceData(surfaces.All);
-  scene.Receivers = ReadReceivers(root, surfaces.All, folder, names, surfaces.Approximations);
-  scene.Cameras = ReadCameras(root, names);
-  AddModelCameras(surfaces.Cameras, names, scene.Cameras);
-  if (surfaces.HasModel && !root.Has("receivers"))
+  scene.surfaces = makeSurfaceData(surfaces.all);
+  scene.receivers = readReceivers(root, surfaces.all, folder, names, surfaces.approximations);
+  scene.cameras = readCameras(root, names);
+  addModelCameras(surfaces.cameras, names, scene.cameras);
+  if (surfaces.hasModel && !root.has("receivers"))
   {
-    AddUsualReceivers(surfaces, names, scene.Receivers);
+    addUsualReceivers(surfaces, names, scene.receivers);
   }
-  scene.Luminaires =
-      ReadLuminaires(root, folder, surfaces.Lights, LitBall(scene.Surfaces, scene.Receivers), surfaces.Approximations);
-  AddLightNotes(surfaces.Lights, surfaces.Approximations);
-  PutNotes(surfaces.Approximations, scene.Surfaces);
+  scene.luminaires =
+      readLuminaires(root, folder, surfaces.lights, litBall(scene.surfaces, scene.receivers), surfaces.approximations);
+  addLightNotes(surfaces.lights, surfaces.approximations);
+  tellDarkness(scene, surfaces.approximations);
+  putNotes(surfaces.approximations, scene.surfaces);
 
-  if (surfaces.All.empty() && scene.Luminaires->GetNumberOfPoints() == 0)
+  if (surfaces.all.empty() && scene.luminaires->GetNumberOfPoints() == 0)
   {
-    root.Fail("empty: no surfaces and no luminaires; expected at least one of them");
+    root.fail("empty: no surfaces and no luminaires; expected at least one of them");
   }
-  if (scene.Receivers->GetNumberOfBlocks() == 0 && scene.Cameras.empty())
+  if (scene.receivers->GetNumberOfBlocks() == 0 && scene.cameras.empty())
   {
-    root.Fail("nothing to compute: no receivers and no cameras; expected at least one of them");
+    root.fail("nothing to compute: no receivers and no cameras; expected at least one of them");
   }
   return scene;
 }
@@ -148,7 +183,7 @@ vtkTypeBool vtkKalosSceneReader::ProcessRequest(vtkInformation* request, vtkInfo
 
 int vtkKalosSceneReader::RequestData(vtkInformationVector* outputVector)
 {
-  this->Internal->Cameras.clear();
+  this->Internal->cameras.clear();
   if (!this->FileName || !*this->FileName)
   {
     vtkErrorMacro("scene: FileName: not set; expected the path of a scene file");
@@ -156,15 +191,15 @@ int vtkKalosSceneReader::RequestData(vtkInformationVector* outputVector)
   }
   try
   {
-    Scene scene = ReadScene(this->FileName);
-    vtkPolyData::GetData(outputVector, 0)->ShallowCopy(scene.Surfaces);
-    vtkPolyData::GetData(outputVector, 1)->ShallowCopy(scene.Luminaires);
-    vtkMultiBlockDataSet::GetData(outputVector, 2)->ShallowCopy(scene.Receivers);
-    this->Internal->Cameras = std::move(scene.Cameras);
+    Scene scene = readScene(this->FileName, this->ModelUnit, this->ModelUp);
+    vtkPolyData::GetData(outputVector, 0)->ShallowCopy(scene.surfaces);
+    vtkPolyData::GetData(outputVector, 1)->ShallowCopy(scene.luminaires);
+    vtkMultiBlockDataSet::GetData(outputVector, 2)->ShallowCopy(scene.receivers);
+    this->Internal->cameras = std::move(scene.cameras);
   }
-  catch (const SceneError& error)
+  catch (const InputError& error)
   {
-    vtkErrorMacro(<< error.Message(this->FileName));
+    vtkErrorMacro(<< error.message(this->FileName));
     return 0;
   }
   catch (const std::bad_alloc&)
@@ -178,7 +213,7 @@ int vtkKalosSceneReader::RequestData(vtkInformationVector* outputVector)
 int vtkKalosSceneReader::CanReadFile(const char* path)
 {
   std::error_code error;
-  if (path && IsModelFile(path))
+  if (path && isModelFile(path))
   {
     return std::filesystem::is_regular_file(path, error);
   }
@@ -207,50 +242,50 @@ vtkMultiBlockDataSet* vtkKalosSceneReader::GetReceivers()
 
 int vtkKalosSceneReader::GetNumberOfCameras() const
 {
-  return static_cast<int>(this->Internal->Cameras.size());
+  return static_cast<int>(this->Internal->cameras.size());
 }
 
 std::string vtkKalosSceneReader::GetCameraName(int index) const
 {
-  const Camera* camera = this->Internal->Find(index);
-  return camera ? camera->Name : std::string();
+  const Camera* camera = this->Internal->find(index);
+  return camera ? camera->name : std::string();
 }
 
 void vtkKalosSceneReader::GetCameraPosition(int index, double position[3]) const
 {
-  if (const Camera* camera = this->Internal->Find(index))
+  if (const Camera* camera = this->Internal->find(index))
   {
-    std::copy(camera->Position.begin(), camera->Position.end(), position);
+    std::copy(camera->position.begin(), camera->position.end(), position);
   }
 }
 
 void vtkKalosSceneReader::GetCameraTarget(int index, double target[3]) const
 {
-  if (const Camera* camera = this->Internal->Find(index))
+  if (const Camera* camera = this->Internal->find(index))
   {
-    std::copy(camera->Target.begin(), camera->Target.end(), target);
+    std::copy(camera->target.begin(), camera->target.end(), target);
   }
 }
 
 void vtkKalosSceneReader::GetCameraUp(int index, double up[3]) const
 {
-  if (const Camera* camera = this->Internal->Find(index))
+  if (const Camera* camera = this->Internal->find(index))
   {
-    std::copy(camera->Up.begin(), camera->Up.end(), up);
+    std::copy(camera->up.begin(), camera->up.end(), up);
   }
 }
 
 double vtkKalosSceneReader::GetCameraFieldOfView(int index) const
 {
-  const Camera* camera = this->Internal->Find(index);
-  return camera ? camera->FieldOfView : 0.0;
+  const Camera* camera = this->Internal->find(index);
+  return camera ? camera->fieldOfView : 0.0;
 }
 
 void vtkKalosSceneReader::GetCameraResolution(int index, int resolution[2]) const
 {
-  if (const Camera* camera = this->Internal->Find(index))
+  if (const Camera* camera = this->Internal->find(index))
   {
-    std::copy(camera->Resolution.begin(), camera->Resolution.end(), resolution);
+    std::copy(camera->resolution.begin(), camera->resolution.end(), resolution);
   }
 }
 
@@ -258,5 +293,7 @@ void vtkKalosSceneReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "ModelUnit: " << this->ModelUnit << " m\n";
+  os << indent << "ModelUp: " << this->ModelUp << "\n";
   os << indent << "NumberOfCameras: " << this->GetNumberOfCameras() << "\n";
 }

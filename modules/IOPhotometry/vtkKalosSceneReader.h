@@ -4,13 +4,13 @@
  * @brief   read a scene: a Kalos scene file, or a glTF or OBJ model
  *
  * A scene file is JSON, lengths in metres, flux in lm; unknown keys are errors; paths are relative to the scene file
- * (the rule for those that lead elsewhere is in scene/FilePaths.h).
+ * (the rule for those that lead elsewhere is in base/FilePaths.h).
  *
  * - kalos: 1, the version of the format
  * - materials: NAME: reflectance (number or one a band, [0,1)); specular and roughness; mirror; exitance (lm/m²)
- * - surfaces: name, material, and quad {origin, u, v}, box {center, size, rotation_z_deg} or file (obj, ply, stl, vtp,
- *   gltf, glb) with scale (to metres) and up ("y" or "z"). A gltf, glb or obj without name is a model: its parts are
- *   surfaces under their own names, and its lights and cameras join the scene unless the keys lights or cameras are
+ * - surfaces: name, material, and quad {origin, u, v}, box {center, size, rotation_z_deg} or file (obj, ply, stl, off,
+ *   vtp, gltf, glb) with scale (to metres) and up ("y" or "z"). A gltf, glb or obj without name is a model: its parts
+ * are surfaces under their own names, and its lights and cameras join the scene unless the keys lights or cameras are
  *   false.
  * - luminaires: name, flux (lm), aim, rotation_deg, and position with distribution (isotropic, lambertian) or rectangle
  *   {center, u, v}; or position, aim and a photometric file (.ies, .ldt), with lamp_set and flux if wanted
@@ -19,13 +19,17 @@
  * - cameras: name, position, target, up, fov_deg (vertical), resolution [width, height]
  *
  * A model as FileName is read as a scene file with nothing but the model in "surfaces". Without "receivers", a model
- * gets a plane 0.75 m above its floor, see model/WorkPlane.h. A material, luminaire or camera of the scene file
- * replaces the one of that name in a model. From a glTF come the default scene with all nodes and instances,
- * metallic-roughness materials with KHR_materials_emissive_strength, lights of KHR_lights_punctual (cd, lx) and
- * perspective cameras; y up is turned to z up. From an OBJ come objects and the materials of its libraries; it is taken
- * as metres with z up. What is approximated (mean colours of textures, far points for parallel light, ...) stands in
- * the field data array SceneNotes of port 0; the rules are in model/MetallicRoughness.h, model/ModelLuminaire.h and
- * model/MtlFile.h.
+ * gets a plane 0.75 m above its floor, see scene/WorkPlane.h. A material, luminaire or camera of the scene file
+ * replaces the one of that name in a model. ModelUnit and ModelUp say what the file does not.
+ *
+ * From a glTF come the default scene with all visible nodes and instances, metallic-roughness and specular-glossiness
+ * materials with vertex colours (COLOR_0) and KHR_materials_emissive_strength (on both sides if doubleSided), lights of
+ * KHR_lights_punctual (cd, lx) and perspective cameras; y up is turned to z up. From an OBJ come objects and the
+ * materials of its libraries; without "scale" and "up" it is in metres with z up.
+ *
+ * What is approximated or left out (mean colours of textures, degenerate faces, extensions, ...) stands with its count
+ * in the field data array SceneNotes of port 0; the rules are in material/MetallicRoughness.h, model/ModelLuminaire.h
+ * and material/MtlFile.h. A file is refused where a value would be wrong, and read with a note where it would not.
  *
  * Output ports:
  * - 0, vtkPolyData: all surfaces; polygons with the cell arrays of vtkKalosArrayNames.h, SurfaceId and SurfaceNames.
@@ -67,6 +71,14 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  ///@{
+  /** Of a model as FileName: metres of its unit of length (1), and its axis that is up, "y" or "z" (its format's). */
+  vtkSetMacro(ModelUnit, double);
+  vtkGetMacro(ModelUnit, double);
+  vtkSetMacro(ModelUp, std::string);
+  vtkGetMacro(ModelUp, std::string);
+  ///@}
+
   /** Whether the file is a model by its name, or looks like a Kalos scene: JSON with the key "kalos" near its start. */
   int CanReadFile(const char* path);
 
@@ -100,6 +112,8 @@ protected:
   int RequestData(vtkInformationVector* outputVector);
 
   char* FileName = nullptr;
+  double ModelUnit = 1.0;
+  std::string ModelUp;
 
 private:
   vtkKalosSceneReader(const vtkKalosSceneReader&) = delete;

@@ -14,7 +14,7 @@ using Rgb = std::array<double, 3>;  ///< sRGB, [0,1]
  * yellow, chroma stays within what sRGB can show; steps are of equal length in Oklab, so that equal differences of the
  * quantity look equally large.
  */
-const std::array<Rgb, 256>& UniformColors();
+const std::array<Rgb, 256>& uniformColors();
 }  // namespace kalos
 
 #endif

@@ -24,7 +24,7 @@
 namespace
 {
 /** The data sets in a data set or composite. */
-std::vector<vtkDataSet*> Leaves(vtkDataObject* object)
+std::vector<vtkDataSet*> leaves(vtkDataObject* object)
 {
   std::vector<vtkDataSet*> leaves;
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(object))
@@ -46,7 +46,7 @@ std::vector<vtkDataSet*> Leaves(vtkDataObject* object)
 }
 
 /** Copy with leaves of its own, so that arrays added to them do not show in the input. */
-void CopyTree(vtkDataObject* input, vtkDataObject* output)
+void copyTree(vtkDataObject* input, vtkDataObject* output)
 {
   auto* from = vtkCompositeDataSet::SafeDownCast(input);
   if (!from)
@@ -67,7 +67,7 @@ void CopyTree(vtkDataObject* input, vtkDataObject* output)
 }
 
 /** Point data before cell data. */
-vtkDataSetAttributes* AttributesWith(vtkDataSet* leaf, const std::string& name)
+vtkDataSetAttributes* attributesWith(vtkDataSet* leaf, const std::string& name)
 {
   for (vtkDataSetAttributes* data : {static_cast<vtkDataSetAttributes*>(leaf->GetPointData()),
                                      static_cast<vtkDataSetAttributes*>(leaf->GetCellData())})
@@ -81,7 +81,7 @@ vtkDataSetAttributes* AttributesWith(vtkDataSet* leaf, const std::string& name)
 }
 
 /** Smallest and largest finite value (above 0 if so wanted); empty (first above second) if there is none. */
-void WidenRange(vtkDataArray* array, bool positive, double range[2])
+void widenRange(vtkDataArray* array, bool positive, double range[2])
 {
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
@@ -95,7 +95,7 @@ void WidenRange(vtkDataArray* array, bool positive, double range[2])
 }
 
 /** Give a range without extent some, so that a uniformly lit room has a legend too. */
-void CompleteRange(bool logarithmic, double range[2])
+void completeRange(bool logarithmic, double range[2])
 {
   if (range[0] > range[1])
   {
@@ -113,7 +113,7 @@ void CompleteRange(bool logarithmic, double range[2])
   }
 }
 
-std::string UnitOf(const std::string& name)
+std::string unitOf(const std::string& name)
 {
   using namespace vtkKalosArrayNames;
   for (const char* lux : {Illuminance, IlluminanceStandardError, DirectIlluminance})
@@ -131,17 +131,23 @@ std::string UnitOf(const std::string& name)
 }
 
 /** The array that an empty ArrayName stands for. */
-std::string DefaultName(const std::vector<vtkDataSet*>& leaves)
+std::string defaultName(const std::vector<vtkDataSet*>& leaves)
 {
   for (const char* name : {vtkKalosArrayNames::Illuminance, vtkKalosArrayNames::Luminance})
   {
     if (std::any_of(leaves.begin(), leaves.end(),
-                    [&](vtkDataSet* leaf) { return AttributesWith(leaf, name) != nullptr; }))
+                    [&](vtkDataSet* leaf) { return attributesWith(leaf, name) != nullptr; }))
     {
       return name;
     }
   }
   return {};
+}
+
+bool isRange(const double range[2], bool logarithmic)
+{
+  const bool finite = std::isfinite(range[0]) && std::isfinite(range[1]);
+  return finite && range[0] < range[1] && (!logarithmic || range[0] > 0.0);
 }
 }  // namespace
 
@@ -149,7 +155,7 @@ vtkStandardNewMacro(vtkKalosFalseColor);
 
 vtkKalosFalseColor::vtkKalosFalseColor()
 {
-  const auto& colors = kalos::UniformColors();
+  const auto& colors = kalos::uniformColors();
   this->Table->SetNumberOfTableValues(static_cast<vtkIdType>(colors.size()));
   for (std::size_t i = 0; i < colors.size(); ++i)
   {
@@ -178,16 +184,16 @@ int vtkKalosFalseColor::RequestData(vtkInformation*, vtkInformationVector** inpu
                                     vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  const std::vector<vtkDataSet*> inputs = Leaves(input);
+  const std::vector<vtkDataSet*> inputs = leaves(input);
 
   // Find the array.
-  const std::string name = this->ArrayName.empty() ? DefaultName(inputs) : this->ArrayName;
+  const std::string name = this->ArrayName.empty() ? defaultName(inputs) : this->ArrayName;
   const bool logarithmic = this->Scale == LOGARITHMIC;
   double range[2] = {std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
   bool found = false;
   for (vtkDataSet* leaf : inputs)
   {
-    vtkDataSetAttributes* data = AttributesWith(leaf, name);
+    vtkDataSetAttributes* data = attributesWith(leaf, name);
     if (!data)
     {
       continue;
@@ -199,7 +205,7 @@ int vtkKalosFalseColor::RequestData(vtkInformation*, vtkInformationVector** inpu
       vtkErrorMacro("the array " << name << " has " << array->GetNumberOfComponents() << " components; expected 1");
       return 0;
     }
-    WidenRange(array, logarithmic, range);
+    widenRange(array, logarithmic, range);
   }
   if (!found)
   {
@@ -209,12 +215,11 @@ int vtkKalosFalseColor::RequestData(vtkInformation*, vtkInformationVector** inpu
   }
 
   // Settle the range.
-  CompleteRange(logarithmic, range);
+  completeRange(logarithmic, range);
   if (!this->AutomaticRange)
   {
     std::copy(this->Range, this->Range + 2, range);
-    const bool finite = std::isfinite(range[0]) && std::isfinite(range[1]);
-    if (!finite || !(range[0] < range[1]) || (logarithmic && !(range[0] > 0.0)))
+    if (!isRange(range, logarithmic))
     {
       vtkErrorMacro("the range is " << range[0] << " to " << range[1]
                                     << "; expected two finite numbers, the second larger"
@@ -227,12 +232,12 @@ int vtkKalosFalseColor::RequestData(vtkInformation*, vtkInformationVector** inpu
   this->Table->SetScaleToLinear();
   this->Table->SetRange(range);
   this->Table->SetScale(logarithmic ? VTK_SCALE_LOG10 : VTK_SCALE_LINEAR);
-  this->UnitLabel = UnitOf(name);
+  this->UnitLabel = unitOf(name);
 
   // Colour the leaves.
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
-  CopyTree(input, output);
-  for (vtkDataSet* leaf : Leaves(output))
+  copyTree(input, output);
+  for (vtkDataSet* leaf : leaves(output))
   {
     this->AddColors(leaf, name);
   }
@@ -241,7 +246,7 @@ int vtkKalosFalseColor::RequestData(vtkInformation*, vtkInformationVector** inpu
 
 void vtkKalosFalseColor::AddColors(vtkDataSet* leaf, const std::string& name)
 {
-  vtkDataSetAttributes* data = AttributesWith(leaf, name);
+  vtkDataSetAttributes* data = attributesWith(leaf, name);
   if (!data)
   {
     return;

@@ -2,6 +2,6 @@
 """python3 -m kalos is the command kalos."""
 import sys
 
-from kalos.cli import main
+from kalos.commands.main import main
 
 sys.exit(main())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One exception for everything that goes wrong, and the error events of VTK turned into it."""
+"""The exceptions of Kalos, and the conversion of VTK's error events into them."""
 import re
 import sys
 
@@ -45,23 +45,32 @@ def update(algorithm, request=None):
     def note(_caller, _event, text):
         messages.append(plain(text))
 
-    def warn(_caller, _event, text):
-        print(f"kalos: warning: {plain(text)}", file=sys.stderr)
+    def tell(_caller, _event, text):
+        warn(plain(text))
 
     note.CallDataType = VTK_STRING
-    warn.CallDataType = VTK_STRING
+    tell.CallDataType = VTK_STRING
     # The executive complains a second time when an algorithm has failed: listening keeps that off the screen.
     tags = [(caller, caller.AddObserver(event, action))
             for caller in (algorithm, algorithm.GetExecutive())
-            for event, action in (("ErrorEvent", note), ("WarningEvent", warn))]
+            for event, action in (("ErrorEvent", note), ("WarningEvent", tell))]
     try:
         (request or algorithm.Update)()
     finally:
         for caller, tag in tags:
             caller.RemoveObserver(tag)
+    failed(algorithm, messages)
+
+
+def failed(algorithm, messages):
+    """Raises the first of the error messages of an update, if there are any."""
     if messages:
-        ended = getattr(algorithm, "GetErrorCode", int)() == UNKNOWN_ERROR  # not for the input, but in the work
+        ended = getattr(algorithm, "GetErrorCode", int)() == UNKNOWN_ERROR  # a failure of the work itself, not bad input
         raise KalosError(messages[0], FAILED if ended else BAD_INPUT)
+
+
+def warn(message):
+    print(f"kalos: warning: {message}", file=sys.stderr)
 
 
 def plain(text):

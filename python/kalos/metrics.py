@@ -8,9 +8,9 @@ place share their trajectories; the standard error of a mean is the spread of th
 import numpy as np
 
 from kalos.errors import InputError, update
-from kalos.receivers import from_dataset, point_receivers
-from kalos.solve import illuminance
-from kalos.summary import error_of
+from kalos.estimation.filters import illuminance_filter
+from kalos.results.receivers import from_dataset, point_receivers
+from kalos.results.statistics import error_of
 
 ORIENTATIONS = 36
 
@@ -47,7 +47,7 @@ def places(points):
 def means(reader, points, turns, options):
     """Vertical illuminance of every point at its angles `turns` (n, k), averaged over them."""
     normals = np.stack([np.cos(turns), np.sin(turns), np.zeros_like(turns)], axis=-1)
-    estimator = illuminance(reader, options)
+    estimator = illuminance_filter(reader, options)
     estimator.SetInputDataObject(0, point_receivers(np.repeat(points, turns.shape[1], axis=0), normals.reshape(-1, 3)))
     update(estimator)
     found = from_dataset("points", estimator.GetOutputDataObject(0))

@@ -9,12 +9,12 @@ from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-import kalos
-from kalos import arrays
-from kalos.colours import false_colours
+from kalos.core import arrays
 from kalos.errors import update
-from kalos.scale import round_up
-from kalos.summary import number
+from kalos.pictures.colours import false_colours
+from kalos.pictures.scale import round_up
+from kalos.results.text import number
+from kalos.vtk import vtkKalosPhotometryReader
 
 LINES = (("C 0 - 180", "#0b5d8f", "-"), ("C 90 - 270", "#c2571a", "--"))
 GREY = "0.35"
@@ -22,7 +22,7 @@ GREY = "0.35"
 
 def read_photometry(path, lamp_set=1):
     """A vtkKalosPhotometryReader that has read the file; raises KalosError."""
-    reader = kalos.vtkKalosPhotometryReader()
+    reader = vtkKalosPhotometryReader()
     reader.SetFileName(os.fspath(path))
     reader.SetLampSet(lamp_set)
     update(reader)

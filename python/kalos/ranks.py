@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The processes that mpiexec started together: one solve, shared out by the filters through VTK's controller."""
+"""The processes of mpiexec, among which the filters divide one solve through VTK's controller."""
 import os
 import sys
 import time
@@ -7,7 +7,7 @@ import time
 from kalos.errors import FAILED, KalosError
 
 SIZES = ("OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS")  # as Open MPI, MPICH and Intel MPI tell their processes
-FIRST_WORDS = 1.0  # s that the other ranks wait with a message: mostly the first one says the same and ends all
+FIRST_WORDS = 1.0  # s that other ranks wait before they print an error: usually rank 0 prints the same one and aborts
 
 
 class Ranks:

@@ -4,8 +4,9 @@ import json
 
 import numpy as np
 
-from kalos.estimator import Options
-from kalos.validate import FALSE_ALARM, allowed_deviation, solve_receivers
+from kalos.core.options import Options
+from kalos.validation.validate import solve_receivers
+from kalos.validation.verdicts import FALSE_ALARM, allowed_deviation
 
 BOX = {"center": [3.3, 1.7, 0.75], "size": [1.5, 1.5, 1.5], "rotation_z_deg": -17}
 PROBES = np.array([(1.0, 1.0, 0.0, 0, 0, 1), (1.5, 3.5, 0.0, 0, 0, 1), (4.0, 4.0, 0.0, 0, 0, 1), (0.0, 2.0, 2.0, 1, 0, 0),

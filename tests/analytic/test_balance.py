@@ -9,10 +9,11 @@ import pytest
 from estimates import lamp, scene, solve
 from scipy import stats
 
-from kalos import truths
-from kalos.estimator import Options
-from kalos.receivers import areas
-from kalos.validate import DATA, solve_receivers
+from kalos.core.options import Options
+from kalos.results.receivers import areas
+from kalos.validation import truths
+from kalos.validation.cases import DATA
+from kalos.validation.validate import solve_receivers
 
 FALSE_ALARM = 1e-4
 GAUSS = np.polynomial.legendre.leggauss(8)[1] / 2  # weights of the points of 5-8-floor.csv along one side

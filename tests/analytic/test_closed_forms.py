@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every method on every scene with a closed form, at points at least 0.25 m from concave edges.
 
-A sound method fails a case with probability 1e-4 (kalos.validate.FALSE_ALARM).
+A sound method fails a case with probability 1e-4 (kalos.validation.verdicts.FALSE_ALARM).
 """
 import pytest
 
-from kalos.validate import CASES, DATA, available_methods, examine
+from kalos.validation.cases import CASES, DATA
+from kalos.validation.validate import available_methods, examine
 
 METHODS = available_methods(DATA, 1)
 

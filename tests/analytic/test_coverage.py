@@ -7,19 +7,21 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from kalos import truths
-from kalos.estimator import Options
-from kalos.validate import DATA, REPLICATES, solve_receivers
+from kalos.core.options import Options
+from kalos.validation import truths
+from kalos.validation.cases import DATA
+from kalos.validation.validate import solve_receivers
+from kalos.validation.verdicts import REPLICATES
 
 SEEDS = 200
 
 
-@pytest.mark.parametrize("without", [(), ("paths",)])  # paths alone, and vertices with gather rays
-def test_intervals_cover_the_truth(without):
+@pytest.mark.parametrize("disabled", [(), ("paths",)])  # paths alone, and vertices with gather rays
+def test_intervals_cover_the_truth(disabled):
     truth = truths.white_furnace(0.6, 100)
     covered = []
     for seed in range(1, SEEDS + 1):
-        probe, = solve_receivers(DATA / "furnace" / "furnace.json", Options(trajectories=4096, seed=seed, without=without))
+        probe, = solve_receivers(DATA / "furnace" / "furnace.json", Options(trajectories=4096, seed=seed, disable=disabled))
         half_width = stats.t.isf(0.025, REPLICATES - 1) * probe.standard_error
         covered.append(np.abs(probe.illuminance - truth) <= half_width)
     share = np.mean(covered, axis=0)  # per receiver

@@ -2,8 +2,8 @@
 """The figures of `kalos validate --figures`, at a fraction of their effort: that they are printed and can be missed."""
 import pytest
 
-from kalos import figures, truths
-from kalos.validate import DATA
+from kalos.validation import figures, truths
+from kalos.validation.cases import DATA
 
 
 @pytest.fixture

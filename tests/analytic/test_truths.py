@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kalos import truths
+from kalos.validation import truths
 
 
 @pytest.mark.parametrize("h1, rho1, rho2, printed", [

@@ -17,7 +17,7 @@ import time
 import numpy as np
 
 import kalos
-from kalos.estimator import DEFAULT_METHOD, METHODS
+from kalos.core.options import DEFAULT_METHOD, METHODS
 
 SIZES = {"receivers": (100, 1000, 10000, 100000, 1000000), "triangles": (1000, 10000, 100000, 1000000, 10000000),
          "luminaires": (1, 10, 100, 1000), "trajectories": (100, 1000, 10000, 100000)}

@@ -18,12 +18,12 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+import growth
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-import growth
-from kalos import memory
+from kalos.solving import memory
 
 KALOS = Path(__file__).resolve().parents[2] / "build" / "bin" / "kalos"
 SIZES = {"triangles": (10**4, 10**5, 10**6, 10**7), "receivers": (10**3, 10**4, 10**5, 10**6), "luminaires": (10, 100, 1000, 10**4)}

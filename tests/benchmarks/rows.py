@@ -20,11 +20,12 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-import kalos  # noqa: F401  finds VTK
-from kalos.chart import GOALS, chart
-from kalos.contenders import PEERS
-from kalos.convergence import time_to
 from rows_picture import draw
+
+import kalos  # noqa: F401  finds VTK
+from kalos.charts.chart import GOALS, chart
+from kalos.charts.contenders import PEERS
+from kalos.charts.convergence import time_to
 
 DATA = Path(__file__).resolve().parents[2] / "data"
 OFFICE = "office"  # its scene is made into OUT when it is first asked for

@@ -4,8 +4,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from kalos.chart_picture import curves, style
-from kalos.pictures import DPI, GREY
+from kalos.charts.picture import curves, style
+from kalos.pictures.drawing import DPI, GREY
 
 COLUMNS, WIDTH, HEIGHT = 3, 11.0, 2.75  # inches, of the page and of a row of charts
 SHOWN = (0.05, 30.0)  # %

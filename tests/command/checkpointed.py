@@ -6,16 +6,17 @@ import sys
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from kalos import arrays
+from kalos.core import arrays
+from kalos.core.options import Options
 from kalos.errors import update
-from kalos.estimator import Options
-from kalos.solve import illuminance, read_scene
+from kalos.estimation.filters import illuminance_filter
+from kalos.scenes.reading import read_scene
 
 
 def main(scene, checkpoint, out, limit=None):
     if limit:
         resource.setrlimit(resource.RLIMIT_FSIZE, (int(limit), int(limit)))  # as a full disk: a write comes back short
-    estimator = illuminance(read_scene(scene), Options(trajectories=60000, checkpoint=checkpoint))
+    estimator = illuminance_filter(read_scene(scene), Options(trajectories=60000, checkpoint=checkpoint))
     estimator.SetCheckpointInterval(0)
     estimator.SetIntermediateResults(True)  # many small rounds
     update(estimator)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from kalos.cli import main
+from kalos.commands.main import main
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -26,7 +26,7 @@ BAD = [
     ("surfaces.0", {"name": "f", "box": {"center": [0, 0, 0], "size": [1, 0, 1]}, "material": "grey"},
      "surfaces.f.box.size: found [1,0,1]; expected three lengths above 0 m"),
     ("surfaces.0", {"name": "f", "file": "probe.csv", "material": "grey"},
-     "surfaces.f.file: unknown mesh format '.csv'; expected .obj, .ply, .stl or .vtp"),
+     "surfaces.f.file: unknown mesh format '.csv'; expected .obj, .ply, .stl, .off or .vtp"),
     ("surfaces.0", {"name": "f", "material": "grey"}, 'surfaces.f: 0 shapes; expected one of "quad", "box" and "file"'),
     ("luminaires.0.flux", -1, "luminaires.lamp.flux: found -1; expected a number of at least 0.0"),
     ("luminaires.0.aim", [0, 0, 0], "luminaires.lamp.aim: found [0,0,0]; expected a direction, not zero"),

@@ -10,14 +10,15 @@ import pytest
 from conftest import one_line
 from matplotlib.image import imread
 
-from kalos.chart import climb
-from kalos.contenders import View
-from kalos.convergence import Truth
+from kalos.charts.chart import climb
+from kalos.charts.contenders import View
+from kalos.charts.convergence import Truth
+from kalos.core.options import Options
 from kalos.errors import update
-from kalos.estimator import Options
-from kalos.receivers import from_dataset, point_receivers
-from kalos.solve import illuminance
-from kalos.validate import DATA, allowed_deviation
+from kalos.estimation.filters import illuminance_filter
+from kalos.results.receivers import from_dataset, point_receivers
+from kalos.validation.cases import DATA
+from kalos.validation.verdicts import allowed_deviation
 
 SHORT = ("--peers", "none", "--budget", 0.3, "--reference-trajectories", 6400)
 
@@ -103,7 +104,7 @@ def test_an_image(chart, scene):
         assert steps[-1] < steps[0]
     # The same by hand, through the points and the response that peers get.
     seen = view.solve(Options(trajectories=32000), None)
-    estimator = illuminance(view.reader, Options(trajectories=32000, seed=2))
+    estimator = illuminance_filter(view.reader, Options(trajectories=32000, seed=2))
     estimator.SetInputDataObject(0, point_receivers(view.points, view.normals))
     update(estimator)
     found = from_dataset("points", estimator.GetOutputDataObject(0))

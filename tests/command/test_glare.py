@@ -6,10 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from kalos.estimator import Options
-from kalos.glare import rate_glare
-from kalos.preparation import UNPREPARED
-from kalos.solve import estimate, read_scene, solve, summarise
+
+from kalos.core.options import Options
+from kalos.preparation.scene import UNPREPARED
+from kalos.scenes.reading import read_scene
+from kalos.solving.glare import rate_glare
+from kalos.solving.solve import estimate, solve, summarise
 
 SPHERE = Path(__file__).resolve().parents[2] / "data" / "sphere" / "sphere-3.obj"
 FLUX, RHO = 1000.0, 0.6

@@ -3,11 +3,12 @@
 import pytest
 from conftest import launch, one_line
 
-from kalos.estimator import METHODS, SAVINGS
+from kalos.core.options import METHODS, TECHNIQUES
 
 COUNT = "expected a whole number from 1 to 9223372036854775807"
 LENGTH = "expected auto, or a length > 0 in metres"
 
+ENDS = "expected LOW:HIGH, such as 0:500, with 0 <= LOW < HIGH"
 BAD = [
     ("--trajectories", "-5", COUNT), ("--trajectories", "0", COUNT), ("--trajectories", "1.5", COUNT),
     ("--trajectories", "9223372036854775808", COUNT),
@@ -16,7 +17,8 @@ BAD = [
     ("--error", "0", "expected a relative error > 0 and < 1, such as 0.01"),
     ("--error", "1", "expected a relative error > 0 and < 1, such as 0.01"),
     ("--error-floor", "-1", "expected a half-width of 0 lx or more"),
-    ("--without", "picked,walls", f"expected some of {', '.join(SAVINGS)}"),
+    ("--range", "5", ENDS), ("--range", "5:5", ENDS), ("--luminance-range", "0:nan", ENDS),
+    ("--disable", "picked,walls", f"expected some of {', '.join(TECHNIQUES)}"),
     ("--time", "-1", "expected a time > 0, in seconds"),
     ("--seed", "-1", "expected a whole number from 0 to 2147483647"),
     ("--threads", "many", "expected a whole number from 0 (all) to 1024"),

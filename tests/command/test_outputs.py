@@ -13,7 +13,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import kalos
 
-HEADER = "x,y,z,nx,ny,nz,illuminance_lx,standard_error_lx,direct_lx"
+HEADER = "x,y,z,nx,ny,nz,illuminance_lx,standard_error_lx,direct_lx,trusted,valid"
 
 
 @pytest.fixture
@@ -52,7 +52,8 @@ def test_table_of_a_plane(solved):
     np.testing.assert_allclose(table[:, :3], np.column_stack([x.ravel(), y.ravel(), np.full(8, 0.7)]), atol=1e-12)
     np.testing.assert_array_equal(table[:, 3:6], np.tile([0.0, 0, 1], (8, 1)))
     # Every number reads back as it was.
-    assert all(repr(float(cell)) == cell for line in lines[1:] for cell in line.split(","))
+    assert all(repr(float(cell)) == cell for line in lines[1:] for cell in line.split(",")[:9])
+    assert all(line.endswith((",1,1", ",0,1")) for line in lines[1:])
     # Direct light of the lamp: E = Phi/pi cos2/d2, but for the lift of the receivers off their surface.
     height, squared = 1.3, 1.3**2 + (table[:, 0] - 1) ** 2 + (table[:, 1] - 1) ** 2
     np.testing.assert_allclose(table[:, 8], 1000 / np.pi * height**2 / squared**2, rtol=1e-4)
@@ -77,7 +78,7 @@ def test_summary(solved):
     folder, _, _ = solved
     summary = json.loads((folder / "summary.json").read_text())
     assert sorted(summary) == ["audit", "cameras", "cpu_seconds", "kalos", "method", "observers", "receivers", "scene", "seconds", "seed",
-                               "setup_seconds", "warnings"]
+                               "setup_seconds", "tasks", "warnings"]
     assert summary["warnings"] == {"count": 0, "codes": {}, "list": []}
     assert (summary["kalos"], summary["method"], summary["seed"]) == (kalos.__version__, "compensated", 7)
     assert summary["seconds"] > 0 and summary["cpu_seconds"] > 0 and summary["setup_seconds"] > 0
@@ -214,9 +215,9 @@ def test_goal_is_judged(scene, command, tmp_path):
         assert ("8 receivers of desk missed the error" in told) == (name == "missed")
 
 
-def test_savings_can_be_done_without(scene, command, tmp_path):
+def test_techniques_can_be_disabled(scene, command, tmp_path):
     tables = []
-    for i, more in enumerate(([], ["--without", "stratified,picked"])):
+    for i, more in enumerate(([], ["--disable", "stratified,picked"])):
         status, _, error = command("solve", scene.save(), "--out", tmp_path / f"out{i}", "--trajectories", 3200, *more)
         assert status == 0, error
         tables.append(read_csv(tmp_path / f"out{i}" / "desk.csv"))

@@ -71,7 +71,7 @@ def test_receivers_gather_at_singular_edges_and_nowhere_else(furnace, command, t
     text["receivers"].append({"name": "walls", "surface": "room", "edge_length": 0.06})
     scene.write_text(json.dumps(text))
     status, printed, error = command("solve", scene, "--out", tmp_path / "out", "--trajectories", 3200,
-                                     "--without", "paths")
+                                     "--disable", "paths")
     assert status == 0, error
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(str(tmp_path / "out" / "walls.vtp"))
@@ -98,7 +98,7 @@ def test_a_gap_is_told_from_an_edge(furnace, command, tmp_path):
     text["surfaces"].append({"name": "shelf", "quad": {"origin": [0.4, 0.4, 0.05], "u": [0.2, 0, 0], "v": [0, 0.2, 0]},
                              "material": "left"})
     scene.write_text(json.dumps(text))
-    _, audit = solve(command, scene, tmp_path / "out", "--without", "paths")
+    _, audit = solve(command, scene, tmp_path / "out", "--disable", "paths")
     assert audit["gather rays"] == "at 2 of 2 receivers"
     reason = [entry["reason"] for entry in json.loads((tmp_path / "out" / "summary.json").read_text())["audit"]
               if entry["subject"] == "gather rays"]
@@ -122,7 +122,7 @@ def test_doubled_sides_shine_once(furnace, command, tmp_path):
     assert audit["repair"] == "2 duplicate triangles dropped"
     assert (np.abs(table[:, 6] - 200) < 10 * table[:, 7] + 1e-9).all()
     # Paths alone would see one of the two; what starts on both would not.
-    spoilt, _ = solve(command, scene, tmp_path / "spoilt", "--no-prepare", "--without", "paths",
+    spoilt, _ = solve(command, scene, tmp_path / "spoilt", "--no-prepare", "--disable", "paths",
                       "--trajectories", 25600)
     assert (spoilt[:, 6] - 200 > 5 * spoilt[:, 7]).all()
 

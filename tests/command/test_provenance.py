@@ -10,7 +10,7 @@ from conftest import one_line
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import kalos
-from kalos.summary import provenance
+from kalos.results.fields import provenance
 
 
 def test_version_and_seed_in_every_output(scene, command, tmp_path):

@@ -60,14 +60,16 @@ def test_other_commands_run_in_one_process(tmp_path):
 
 FAILING = """
 import sys
-from kalos import cli, ranks, solve
+from kalos import ranks
+from kalos.commands import main
+from kalos.solving import solve
 estimate = solve.estimate
 def broken(*arguments):
     if ranks.current.rank == 1:
         raise {error}
     return estimate(*arguments)
 solve.estimate = broken
-sys.exit(cli.main({arguments}))
+sys.exit(main.main({arguments}))
 """
 
 

@@ -9,12 +9,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from kalos.isolux import isolux, levels, polylines
-from kalos.plan import relative_error
-from kalos.receivers import Receivers, point_receivers
 from matplotlib.image import imread
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+from kalos.pictures.isolux import isolux, levels, polylines
+from kalos.pictures.plan import relative_error
+from kalos.results.receivers import Receivers, point_receivers
 
 PANEL = Path(__file__).resolve().parents[2] / "data" / "photometry" / "panel.ies"
 
@@ -66,7 +67,7 @@ def test_isolux_of_a_plane_that_rises():
     x, y = (a.ravel() for a in np.meshgrid(np.linspace(0, 9, 10), np.linspace(0, 4, 5)))
     points, up = np.column_stack([x, y, np.full(50, 0.8)]), np.tile([0.0, 0, 1], (50, 1))
     values = 100 * x + 7
-    one = Receivers("desk", point_receivers(points, up), points, up, values, 0.1 * values, values, values > 0, np.ones(50))
+    one = Receivers("desk", point_receivers(points, up), points, up, values, 0.1 * values, values, values > 0, np.ones(50, bool), np.ones(50))
     found = polylines(isolux(one))
     assert [level for level, *_ in found] == levels(values) == [100, 200, 300, 400, 500, 600, 700, 800, 900]
     for level, label, line in found:
@@ -74,11 +75,11 @@ def test_isolux_of_a_plane_that_rises():
         np.testing.assert_allclose(line[:, 2], 0.8, atol=1e-6)
         assert np.ptp(line[:, 1]) == pytest.approx(4) and label == f"{level:g} lx"
     assert isolux(one, at=[450.0]).GetNumberOfLines() == 1
-    dark = Receivers("desk", point_receivers(points, up), points, up, 0 * x, 0 * x, 0 * x, x >= 0, np.ones(50))
+    dark = Receivers("desk", point_receivers(points, up), points, up, 0 * x, 0 * x, 0 * x, x >= 0, np.ones(50, bool), np.ones(50))
     assert polylines(isolux(dark)) == []
     tilted = up.copy()
     tilted[0] = (1, 0, 0)
-    assert isolux(Receivers("desk", None, points, tilted, values, values, values, values > 0, np.ones(50))) is None
+    assert isolux(Receivers("desk", None, points, tilted, values, values, values, values > 0, np.ones(50, bool), np.ones(50))) is None
 
 
 def test_in_a_browser(report, tmp_path):

@@ -4,13 +4,13 @@ import math
 
 import numpy as np
 import pytest
+from helpers import update_error
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_OBJECT
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
 
-from helpers import update_error
-from kalos.estimator import SAVINGS
+from kalos.core.options import TECHNIQUES
 from kalos.vtk import vtkKalosCalculationPlane, vtkKalosIlluminance, vtkKalosLuminaireSource, vtkKalosLuminanceImage
 
 NAN = math.nan
@@ -235,7 +235,7 @@ def test_a_kept_scene_serves_other_receivers_and_notices_changes():
     (dict(Method=99), "method: is none of those that exist"),
     (dict(Trajectories=-1), "trajectories: must be 0 (automatic) or more"),
     (dict(RelativeError=1), "error: must lie in [0, 1)"),
-    (dict(Without="picked,walls"), "without: 'walls' is no saving, expected some of " + ", ".join(SAVINGS)),
+    (dict(Without="picked,walls"), "without: 'walls' is no saving, expected some of " + ", ".join(TECHNIQUES)),
     (dict(Seconds=-1), "time: must be 0 (no limit) or more seconds"),
     (dict(Threads=-1), "threads: must be 0 (all) or more"),
     (dict(Delta=-1), "delta: is -1.000000 m, expected 0 (automatic) up to the size of the scene, 4.000000 m"),

@@ -158,13 +158,11 @@ def test_vtp_with_lines(tmp_path):
     (TRIANGLES + "f 1 2 0\n", "a.obj: line 5: a face corner '0'; expected a vertex number from 1 to 4"),
     (TRIANGLES + "f 1 2 -5\n", "a.obj: line 5: a face corner '-5'; expected a vertex number from 1 to 4"),
     (TRIANGLES + "f 1 2 3x\n", "a.obj: line 5: a face corner '3x'; expected a vertex number from 1 to 4"),
-    (TRIANGLES + "f 1 2\n", "a.obj: line 5: a face with 2 corners; expected at least 3"),
-    (TRIANGLES + "curv 1 2\n", "a.obj: line 5: unknown statement 'curv'; expected v, f, usemtl"),
+    (TRIANGLES + "f 1 2\n", "a.obj: file: none of the polygons has an area; expected at least one"),
+    (TRIANGLES + "surf 0 1 0 1 1 2 3 4\n", "a.obj: line 5: a curved surface ('surf'); expected polygons"),
+    (TRIANGLES + "corner 1 2\n", "a.obj: line 5: unknown statement 'corner'; expected v, f, usemtl"),
     ("\x00\xff\x01", "a.obj: line 1: unknown statement '???"),
-    (TRIANGLES + "usemtl\n", "a.obj: line 5: usemtl without a name; expected the name of a material"),
-    (TRIANGLES + "usemtl blue\nf 1 2 3\n", "a.obj: usemtl blue: no such material in the scene; expected a name from"),
-    (TRIANGLES + "f 1 2 3\nf 1 2 1\n", "a.obj: face 2: no area; expected a polygon that is not degenerate"),
-    ("v 0 0 0\nv 1 1 1\nv 3 3 3\nf 1 2 3\n", "a.obj: face 1: no area; expected a polygon that is not degenerate"),
+    ("v 0 0 0\nv 1 1 1\nv 3 3 3\nf 1 2 3\n", "a.obj: file: none of the polygons has an area; expected at least one"),
     ("v 0 0 0\nv 1 0 0\nv 0 1e999 0\nf 1 2 3\n", "a.obj: line 3: a vertex without three numbers"),
 ])
 def test_obj_mistakes(tmp_path, text, message):
@@ -191,9 +189,11 @@ PLY = ("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty floa
     ("3 0 1 2", "3 0 1", "a.ply: face 1: the file ends here; expected more numbers"),
     ("3 0 1 2", "3 0 a 2", "a.ply: face 1: 'a'; expected a number"),
     ("3 0 1 2", "-3 0 1 2", "a.ply: face 1: a list with a negative count; expected at least 0"),
-    ("3 0 1 2", "2 0 1", "a.ply: face 1: 2 corners; expected at least 3"),
+    ("3 0 1 2", "2 0 1", "a.ply: file: none of the polygons has an area; expected at least one"),
     ("3 0 1 2", "3 0 1 3", "a.ply: face 1: a corner is point 3; expected one of the 3 points of the file"),
-    ("3 0 1 2", "3 0 1 1", "a.ply: face 1: no area; expected a polygon that is not degenerate"),
+    ("3 0 1 2", "3 0 1 1", "a.ply: file: none of the polygons has an area; expected at least one"),
+    ("face 1\nproperty list uchar int vertex_indices", "tristrips 1\nproperty list uchar int corners",
+     "a.ply: tristrips 1: strips without the list vertex_indices; expected it"),
     ("0 1 0\n", "0 nan 0\n", "a.ply: face 1: a corner has a coordinate that is not finite; expected metres"),
     ("face 1", "face 0", "a.ply: file: no polygons; expected at least one"),
 ])
@@ -240,11 +240,36 @@ def test_damaged_vtp(tmp_path):
         assert error_of(tmp_path, "a.vtp").startswith("a.vtp: file: cannot be read: ")
 
 
-def test_stl_names_a_degenerate_face(tmp_path):
-    data = make_triangles()
-    data.GetPoints().SetPoint(3, 1, 1, 0)
-    write(tmp_path, "a.stl", data)
-    assert error_of(tmp_path, "a.stl") == "a.stl: face 2: no area; expected a polygon that is not degenerate"
+def test_a_name_that_is_nowhere_needs_a_material(tmp_path):
+    (tmp_path / "a.obj").write_text(TRIANGLES + "usemtl blue\nf 1 2 3\n")
+    assert error_of(tmp_path, "a.obj", material=None).startswith(
+        "a.obj: usemtl blue: no such material in the scene; expected a name from")
+
+
+OFF = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"
+
+
+def test_off(tmp_path):
+    (tmp_path / "a.off").write_text("\ufeffCOFF # colours\n\n4 1 0\n0 0 0 9 9 9 1\n1 0 0\n1 1 0\n# corner\n0 1 0.1234567890123\n4 0 1 2 3 1 0 0\n")
+    assert polygons(read(tmp_path, "a.off")) == [[(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0.1234567890123)]]
+
+
+@pytest.mark.parametrize("old, new, message", [
+    ("OFF\n", "", "a.off: line 1: no OFF header; expected the word OFF"),
+    ("OFF\n", "4OFF\n", "a.off: line 1: points of four coordinates; expected three"),
+    (OFF, "OFF\n", "a.off: line 1: the file ends here; expected the numbers of points and polygons"),
+    ("4 1 0", "4 -1 0", "a.off: line 2: no numbers of points and polygons; expected two whole numbers"),
+    ("1 0 0", "1 0", "a.off: line 4: a point without three numbers; expected X Y Z"),
+    ("4 0 1 2 3", "x 0 1 2 3", "a.off: line 7: no number of corners; expected a whole number"),
+    ("4 0 1 2 3", "4 0 1 2 4", "a.off: line 7: a corner '4'; expected 4 point numbers from 0 to 3"),
+    ("4 0 1 2 3", "4 0 1 2", "a.off: line 7: a corner ''; expected 4 point numbers from 0 to 3"),
+    ("4 0 1 2 3\n", "", "a.off: line 6: the file ends here; expected 1 more polygons"),
+    ("0 1 0\n4 0 1 2 3\n", "", "a.off: line 5: the file ends here; expected 1 more points"),
+])
+def test_off_mistakes(tmp_path, old, new, message):
+    assert old in OFF
+    (tmp_path / "a.off").write_text(OFF.replace(old, new))
+    assert error_of(tmp_path, "a.off").startswith(message)
 
 
 def test_missing_and_unknown_files(tmp_path):
@@ -252,4 +277,4 @@ def test_missing_and_unknown_files(tmp_path):
         "surfaces.mesh.file: no file a.obj; expected a mesh file, its path relative to the scene file")
     (tmp_path / "a.dwg").write_text("x")
     assert error_of(tmp_path, "a.dwg") == (
-        "surfaces.mesh.file: unknown mesh format '.dwg'; expected .obj, .ply, .stl or .vtp")
+        "surfaces.mesh.file: unknown mesh format '.dwg'; expected .obj, .ply, .stl, .off or .vtp")

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer target for meshes, PLY and STL, text or binary, as the only surface of a scene. VTP is VTK's to read.
+// libFuzzer target for meshes, PLY, STL and OFF, text or binary, as the only surface of a scene and to be repaired. VTP
+// is VTK's to read.
 #include <cstring>
 
 #include "SceneCheck.h"
+#include "vtkKalosMeshReader.h"
+#include "vtkNew.h"
 
 namespace
 {
@@ -20,11 +23,16 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   static const bool prepared = [] {
     writeScene("ply");
     writeScene("stl");
+    writeScene("off");
     return true;
   }();
   static_cast<void>(prepared);
-  const std::string type = size >= 3 && std::memcmp(data, "ply", 3) == 0 ? "ply" : "stl";
+  const auto startsWith = [&](const char* word) { return size >= 3 && std::memcmp(data, word, 3) == 0; };
+  const std::string type = startsWith("ply") ? "ply" : startsWith("OFF") ? "off" : "stl";
   fuzz::write("mesh." + type, data, size);
   fuzz::checkScene((fuzz::folder() / (type + ".json")).string());
+  vtkNew<vtkKalosMeshReader> reader;
+  reader->SetFileName((fuzz::folder() / ("mesh." + type)).string().c_str());
+  reader->Update();
   return 0;
 }

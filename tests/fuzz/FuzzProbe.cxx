@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // libFuzzer target for tables of receivers: an error of one line, or points with unit normals.
 #include "FuzzFile.h"
+#include "base/InputError.h"
 #include "scene/ProbeFile.h"
-#include "scene/SceneError.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   const nlohmann::json name = "probe.csv";
   try
   {
-    const auto points = kalos::scene::ReadProbeFile(kalos::scene::Node(name, "points"), path, most);
+    const auto points = kalos::scene::readProbeFile(kalos::scene::JsonCursor(name, "points"), path, most);
     const vtkIdType count = points->GetNumberOfPoints();
     vtkDataArray* normals = points->GetPointData()->GetNormals();
     fuzz::require(count > 0 && count <= most && points->GetNumberOfVerts() == count &&
@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
         fuzz::require(std::isfinite(points->GetPoint(i)[c]));
     }
   }
-  catch (const kalos::scene::SceneError& error)
+  catch (const kalos::scene::InputError& error)
   {
     const std::string message = error.what();
     fuzz::require(message.find('\n') == std::string::npos && message.compare(0, path.size(), path) == 0);

@@ -46,6 +46,14 @@ def models():
     model["accessors"][0]["sparse"] = {"count": 1, "indices": {"bufferView": 3, "componentType": 5121}, "values": {"bufferView": 2}}
     yield model.text()
     yield model.binary()
+    model["materials"][0]["doubleSided"] = True
+    model["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = model.accessor([(51, 51, 51)] * 4, 5121, "VEC3", normalized=True)
+    model["materials"].append({"extensions": {"KHR_materials_pbrSpecularGlossiness": {"specularFactor": [0.2, 0.2, 0.2]}}})
+    model.node(mesh=0, extensions={"KHR_node_visibility": {"visible": False}})
+    model.light(type="spot", intensity=9, spot={"innerConeAngle": 0.5, "outerConeAngle": 0.5})
+    yield model.text()
+    yield ("\ufeffmtllib a.mtl model.obj\nnewmtl a #1\nkd 0.5\nmap_Ke -s 1 1 1 a.png\nd -halo 0.5\nPc 1\nlod 1\nusemtl a #1\n"
+           "v 0 0 0 1 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nv 1 1 0\nv 1 2 0\nv 3 2 0\nv 3 1 0\nfo 1 2 3 4 1 5 6 \\\n7 8 5\nf 1 2\nusemtl\nf 1 2 1\n")
     yield "mtllib model.obj\nnewmtl a\nKd 0.5 0.5 0.5\nKs 1\nNs 9\nillum 3\no b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nf -1 -2 -3\n"
 
 
@@ -57,11 +65,16 @@ def meshes():
     yield head.format("binary_big_endian", *3 * ["double"]).encode() + struct.pack(">9dB3i", *corners, 3, 0, 1, 2)
     yield "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n"
     yield bytes(80) + struct.pack("<I12fH", 1, 0, 0, 1, *corners, 0)
+    yield bytes(80) + struct.pack("<I12fH", 1, 0, 0, 1, *corners, 0) + b"more"
+    yield "\ufeff SOLID a\nFACET\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nEND LOOP\nENDFACET\n"
+    yield head.format("ascii", *3 * ["float"]).replace("face", "tristrips") + "0 0 0\n1 0 0\n0 1 0\n7 0 1 2 -1 2 1 0\n"
+    yield "OFF # c\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1 0 0\n2 0 1\n"
 
 
 def probes():
     yield "x,y,z,nx,ny,nz\n0.5,0.5,0,0,0,1\n\n1e-3,-2.5E+2,0,0,1e-300,-1e300\r\n"
     yield "x, y, z, nx, ny, nz\n 1 , 2 , 3 , 0 , 0 , .5\n"
+    yield "\ufeffx,y,z,nx,ny,nz\n1,2,3,0,0,1\n"
 
 
 def checkpoints():

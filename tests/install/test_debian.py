@@ -7,7 +7,9 @@ from pathlib import Path
 
 import pytest
 
+ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ["KALOS_BUILD"])
+VERSION, = re.findall(r"^project\(Kalos VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)
 
 
 @pytest.fixture(scope="module")
@@ -42,4 +44,4 @@ def test_contents_work(package, tmp_path):
     assert {"usr/bin/kalos", "usr/lib/python3/dist-packages/kalos/__init__.py", "usr/share/kalos/data/cornell/cornell.json"} <= places
     assert not [place for place in places if place.endswith((".a", ".pyc"))]
     clean = {key: value for key, value in os.environ.items() if key not in ("PYTHONPATH", "KALOS")}
-    assert output(tmp_path / "usr" / "bin" / "kalos", "--version", env=clean, cwd="/") == "kalos 0.1.0\n"
+    assert output(tmp_path / "usr" / "bin" / "kalos", "--version", env=clean, cwd="/") == f"kalos {VERSION}\n"

@@ -12,6 +12,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ["KALOS_BUILD"])
+VERSION, = re.findall(r"^project\(Kalos VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)
 SCENE = ROOT / "data" / "cornell" / "cornell-empty.json"
 
 
@@ -44,7 +45,7 @@ def test_nothing_points_into_the_build_tree(prefix):
 
 def test_command_on_the_path(prefix, tmp_path):
     path = f"{prefix}/bin:{os.environ['PATH']}"
-    assert run("kalos", "--version", PATH=path).stdout == "kalos 0.1.0\n"
+    assert run("kalos", "--version", PATH=path).stdout == f"kalos {VERSION}\n"
     solved = run("kalos", "solve", SCENE, "--out", tmp_path / "out", "--trajectories", 64, PATH=path)
     assert solved.returncode == 0, solved.stderr
     assert json.loads((tmp_path / "out" / "summary.json").read_text())["receivers"]
@@ -52,16 +53,27 @@ def test_command_on_the_path(prefix, tmp_path):
 
 def test_command_through_a_link(prefix, tmp_path):
     (tmp_path / "kalos").symlink_to(prefix / "bin" / "kalos")
-    assert run(tmp_path / "kalos", "--version").stdout == "kalos 0.1.0\n"
+    assert run(tmp_path / "kalos", "--version").stdout == f"kalos {VERSION}\n"
 
 
 def test_package_by_pythonpath(prefix):
     package = prefix / "lib" / "python3" / "dist-packages"
-    program = ("import kalos, kalos.validate; print(kalos.__file__, kalos.vtkKalosIlluminance().GetClassName(), "
-               "kalos.validate.DATA)")
+    program = ("import kalos; from kalos.validation.cases import DATA; print(kalos.__file__, kalos.vtkKalosIlluminance().GetClassName(), "
+               "DATA)")
     found = run(sys.executable, "-c", program, PYTHONPATH=str(package))
     assert found.stdout == f"{package}/kalos/__init__.py vtkKalosIlluminance {prefix}/share/kalos/data\n", found.stderr
     assert (prefix / "share" / "kalos" / "data" / "furnace" / "furnace.json").exists()
+
+
+def test_documentation_is_installed(prefix):
+    share = prefix / "share"
+    assert (share / "bash-completion" / "completions" / "kalos").is_file() and (share / "zsh" / "vendor-completions" / "_kalos").is_file()
+    for name in ("first_light.py", "scene_changes.py", "cpp/desk.cxx"):
+        assert (share / "doc" / "Kalos" / "examples" / name).is_file()
+    assert (share / "doc" / "Kalos" / "CHANGELOG.md").is_file() and (share / "doc" / "Kalos" / "CITATION.cff").is_file()
+    if shutil.which("argparse-manpage"):
+        page = (share / "man" / "man1" / "kalos.1").read_text()
+        assert ".SH OPTIONS 'kalos solve'" in page and "\\-\\-trajectories" in page
 
 
 @pytest.mark.skipif(os.environ["KALOS_WITH_PARAVIEW"] != "ON", reason="built without ParaView")

@@ -18,8 +18,8 @@ SceneDescription roomWithSolid(double reflectance)
   return d;
 }
 
-std::vector<AuditLine> audit(const SceneDescription& d, const std::vector<Vec3>& points, const Vec3& normal,
-                             Method method = Method::Compensated)
+DarkReceivers find(const SceneDescription& d, const std::vector<Vec3>& points, const Vec3& normal,
+                   Method method = Method::Compensated)
 {
   const Scene scene(d);
   Receivers receivers;
@@ -28,7 +28,13 @@ std::vector<AuditLine> audit(const SceneDescription& d, const std::vector<Vec3>&
   Settings settings;
   settings.method = method;
   settings.trajectories = 640;
-  return auditDarkReceivers(scene, receivers, solve(scene, receivers, settings));
+  return findDarkReceivers(scene, receivers, solve(scene, receivers, settings));
+}
+
+std::vector<AuditLine> audit(const SceneDescription& d, const std::vector<Vec3>& points, const Vec3& normal,
+                             Method method = Method::Compensated)
+{
+  return find(d, points, normal, method).audit;
 }
 }  // namespace
 
@@ -40,7 +46,9 @@ TEST(DarkReceivers, ThoseOutsideAndInSolidsAreAWarning)
   for (const Method method : {Method::Local, Method::Compensated})
     for (const double z : {1.0, -1.0})
     {
-      const auto lines = audit(roomWithSolid(0.6), points, {0, 0, z}, method);
+      const DarkReceivers found = find(roomWithSolid(0.6), points, {0, 0, z}, method);
+      EXPECT_EQ(found.valid, (std::vector<char>{1, 1, 0, 0, 0, 0, 0}));
+      const auto& lines = found.audit;
       ASSERT_EQ(lines.size(), 2u);
       EXPECT_EQ(lines[0].subject, "dark receivers");
       EXPECT_EQ(lines[0].choice, "5 of 7");
@@ -72,17 +80,26 @@ TEST(DarkReceivers, NothingIsSaidWhereAllIsLitOrNothingShines)
   EXPECT_TRUE(audit(dark, {{1, 1, 1}}, {0, 0, 1}).empty());
 }
 
-// Meshes that shine count as light; of many dark receivers some are looked at.
-TEST(DarkReceivers, ManyAreThinned)
+// Meshes that shine count as light. Of many dark receivers, in two solids in turn and in a shadow, each has its own
+// answer.
+TEST(DarkReceivers, ManyHaveAnAnswerEach)
 {
-  SceneDescription d = roomWithSolid(0.5);
+  SceneDescription d = roomWithSolid(0);
+  rooms::addBox(d, {0.5, 0.5, 0}, {1, 1, 1}, 0, false);
   d.luminaires.clear();
   rooms::addQuad(d, {1, 1, 4.9}, {0, 1, 0}, {1, 0, 0}, rooms::addMaterial(d, 0, 1000));
-  std::vector<Vec3> points{{0.5, 0.5, 0.5}};
-  for (int i = 0; i < 5000; ++i)
-    points.push_back({2.5 + 1e-5 * i, 2.5, 0.5});  // in a solid
-  const auto lines = audit(d, points, {0, 0, 1}, Method::Local);
-  ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0].choice, "5000 of 5001");
-  EXPECT_EQ(lines[1].choice, "receivers with nothing lit in sight: 4096 of the 4096 that were looked at");
+  rooms::addQuad(d, {3.5, 3.5, 2}, {1.4, 0, 0}, {0, 1.4, 0}, 0);  // a black shelf, and a shadow below it
+  std::vector<Vec3> points{{4.9, 0.1, 0.5}};
+  std::vector<char> valid{1};
+  for (int i = 0; i < 3000; ++i)
+    for (const Vec3& corner : {Vec3{2.1, 2.5, 0.5}, Vec3{0.6, 0.6, 0.5}, Vec3{4.4, 4.4, 1.9}})
+    {
+      points.push_back(corner + 1e-4 * i * Vec3{1, 0, 0});
+      valid.push_back(corner.z > 1);
+    }
+  const DarkReceivers found = find(d, points, {0, 0, 1}, Method::Local);
+  EXPECT_EQ(found.valid, valid);
+  ASSERT_EQ(found.audit.size(), 2u);
+  EXPECT_EQ(found.audit[0].choice, "9000 of 9001");
+  EXPECT_EQ(found.audit[1].choice, "receivers with nothing lit in sight: 6000");
 }

@@ -27,6 +27,12 @@ double volume(const TriangleMesh& mesh)
     sum += dot(mesh.points[t[0]], cross(mesh.points[t[1]], mesh.points[t[2]])) / 6;
   return sum;
 }
+/// Volatile, as g++ 12 leaves the rounding out of a vectorised loop.
+double asSingle(double value)
+{
+  const volatile float single = static_cast<float>(value);
+  return single;
+}
 }  // namespace
 
 TEST(SurfaceRepair, MergesTheSoupIntoAClosedSurface)
@@ -183,4 +189,40 @@ TEST(SurfaceRepair, PanelsThatEmitOnBothSidesKeepBoth)
     (doubledArea(panel, t)[2] > 0 ? up : down) += 0.5 * norm(doubledArea(panel, t));
   EXPECT_NEAR(up, 1.0, 1e-12);
   EXPECT_NEAR(down, 1.0, 1e-12);
+}
+
+/// Two boards 4 cm apart over ground of 40 km: the gap stays open, and what float32 coordinates write apart still
+/// joins.
+TEST(SurfaceRepair, TheSiteDoesNotCloseGaps)
+{
+  for (const auto& [gap, place] : {std::pair{0.04, 0.0}, {0.002, 0.0}, {0.002, 10000.1}})
+  {
+    TriangleMesh mesh;
+    addQuad(mesh, {-20000, -20000, 0}, {40000, 0, 0}, {0, 40000, 0});
+    addQuad(mesh, {place - 2.0 - gap / 2, -2, 1}, {2, 0, 0}, {0, 4, 0});
+    addQuad(mesh, {place + gap / 2, -2, 1}, {2, 0, 0}, {0, 4, 0});
+    const RepairReport report = repair(mesh, {});
+    EXPECT_EQ(report.surfaces, 3u) << gap << " at " << place;
+    EXPECT_EQ(report.pointsMoved, 0u);
+    EXPECT_EQ(report.degenerate, 0u);
+  }
+}
+
+TEST(SurfaceRepair, RoundedCoordinatesJoin)
+{
+  for (const double place : {0.0, 100.0, 20000.0})
+  {
+    TriangleMesh mesh = cube(20);
+    // A part of a wide site, turned, and rounded to float32 a little differently in each triangle.
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    {
+      const Point& p = mesh.points[i];
+      const double factor = 1.0 + static_cast<double>(i % 3) * 2e-8;
+      mesh.points[i] = {asSingle(factor * (place + 0.8 * p[0] - 0.6 * p[1])),
+                        asSingle(factor * (place + 0.6 * p[0] + 0.8 * p[1])), asSingle(factor * p[2])};
+    }
+    const RepairReport report = repair(mesh, {});
+    EXPECT_EQ(report.borderAfter, 0u) << place;
+    EXPECT_EQ(report.surfaces, 1u) << place;
+  }
 }

@@ -19,7 +19,7 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from kalos.meshfiles import READERS
+from kalos.preparation.mesh_readers import SUFFIXES
 
 STEPS = 3  # of one run that each get the time limit: repair, remeshing, edges
 
@@ -31,7 +31,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=1, help="files at a time (1)")
     options = parser.parse_args()
     files = sorted(path for folder in options.folders for path in folder.rglob("*")
-                   if path.is_file() and path.suffix.lower() in READERS)
+                   if path.is_file() and path.suffix.lower() in SUFFIXES)
     outcomes = []
     with ThreadPoolExecutor(options.jobs) as pool:
         for path, outcome in zip(files, pool.map(lambda path: examine(path, options.time), files)):

@@ -20,7 +20,7 @@ from pathlib import Path
 
 import pytest
 
-from kalos.estimator import METHODS
+from kalos.core.options import METHODS
 
 FIGURES = Path(__file__).with_name("instructions.json")
 TOLERANCE = 0.03

@@ -6,11 +6,15 @@ import json
 import numpy as np
 import pytest
 from files import write_ies
+
+from kalos.core.options import Options
 from kalos.errors import update
-from kalos.estimator import Options
-from kalos.receivers import from_dataset
-from kalos.solve import illuminance, read_scene, solve
-from kalos.validate import DATA, allowed_deviation
+from kalos.estimation.filters import illuminance_filter
+from kalos.results.receivers import from_dataset
+from kalos.scenes.reading import read_scene
+from kalos.solving.solve import solve
+from kalos.validation.cases import DATA
+from kalos.validation.verdicts import allowed_deviation
 
 MODEL = DATA / "models" / "classroom.glb"
 SPECIFICATION = importlib.util.spec_from_file_location("classroom", DATA / "models" / "make.py")
@@ -52,7 +56,7 @@ def in_own_words(folder):
 
 
 def work_plane(path, seed):
-    estimator = illuminance(read_scene(path), Options(trajectories=16000, seed=seed))
+    estimator = illuminance_filter(read_scene(path), Options(trajectories=16000, seed=seed))
     update(estimator)
     return from_dataset("workplane", estimator.GetOutputDataObject(0).GetBlock(0))
 

@@ -5,12 +5,14 @@ import json
 import numpy as np
 import pytest
 from files import write_ies
-from kalos import arrays
+
+from kalos.core import arrays
+from kalos.core.options import Options
 from kalos.errors import update
-from kalos.estimator import Options
-from kalos.receivers import from_dataset
-from kalos.solve import illuminance, read_scene
-from kalos.summary import field_value
+from kalos.estimation.filters import illuminance_filter
+from kalos.results.fields import field_value
+from kalos.results.receivers import from_dataset
+from kalos.scenes.reading import read_scene
 
 SIDE, HEIGHT, FLUX = 40.0, 6.0, 350000.0
 
@@ -34,7 +36,7 @@ def hall(across):
 def cost(folder, across):
     """Processor seconds times the mean square error over the mean illuminance: what an error of 1 would cost."""
     (folder / "hall.json").write_text(json.dumps(hall(across)))
-    estimator = illuminance(read_scene(folder / "hall.json"), Options(trajectories=3200))
+    estimator = illuminance_filter(read_scene(folder / "hall.json"), Options(trajectories=3200))
     update(estimator)
     output = estimator.GetOutputDataObject(0)
     desk = from_dataset("desk", output.GetBlock(0))

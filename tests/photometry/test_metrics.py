@@ -5,10 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
+from kalos.core.options import Options
 from kalos.errors import KalosError
-from kalos.estimator import Options
 from kalos.metrics import cylindrical, semicylindrical
-from kalos.solve import read_scene
+from kalos.scenes.reading import read_scene
 
 FURNACE = Path(__file__).resolve().parents[2] / "data" / "furnace" / "furnace.json"
 OPTIONS = Options(trajectories=3200)

@@ -7,12 +7,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from kalos.errors import update
-from kalos.estimator import Options
-from kalos.receivers import from_dataset
-from kalos.solve import illuminance, read_scene
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkTriangleFilter
+
+from kalos.core.options import Options
+from kalos.errors import update
+from kalos.estimation.filters import illuminance_filter
+from kalos.results.receivers import from_dataset
+from kalos.scenes.reading import read_scene
 
 MAKE = Path(__file__).resolve().parents[2] / "data" / "office" / "make.py"
 
@@ -56,7 +58,7 @@ def test_both_scenes_agree(office):
         reader = read_scene(office / "small.json")
         flux = vtk_to_numpy(reader.GetLuminaires().GetPointData().GetArray("LuminousFlux"))
         np.testing.assert_allclose(flux, 1100 * np.pi, rtol=4e-4)
-        estimator = illuminance(reader, Options(trajectories=640))
+        estimator = illuminance_filter(reader, Options(trajectories=640))
         update(estimator)
         desks = from_dataset("desks", estimator.GetOutputDataObject(0).GetBlock(0))
         assert np.median(desks.standard_error / np.maximum(desks.illuminance, 1)) < 0.05

@@ -5,10 +5,11 @@ import json
 import numpy as np
 import pytest
 from files import write_ies, write_ldt
-from kalos.estimator import Options
-from kalos.solve import solve
-from kalos.validate import REPLICATES
 from scipy import stats
+
+from kalos.core.options import Options
+from kalos.solving.solve import solve
+from kalos.validation.verdicts import REPLICATES
 
 FLUX = 100.0
 ANGLES = tuple(np.arange(0, 90.01, 0.5))

@@ -13,8 +13,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import kalos
-from kalos import arrays, estimate
+from kalos.core import arrays
 from kalos.errors import update
+from kalos.estimation import estimates
 
 UP = (0.0, 0.0, 1.0)
 
@@ -126,7 +127,8 @@ def test_columns_for_pandas():
     points = grid(3, 2)
     result = kalos.illuminance(room(), lamp(), points, UP, trajectories=64)
     columns = result.as_dict()
-    assert list(columns) == ["x", "y", "z", "nx", "ny", "nz", "illuminance_lx", "standard_error_lx", "direct_lx", "trusted"]
+    assert list(columns) == ["x", "y", "z", "nx", "ny", "nz", "illuminance_lx", "standard_error_lx", "direct_lx", "trusted",
+                             "valid"]
     assert {column.shape for column in columns.values()} == {(6,)}
     np.testing.assert_array_equal(np.column_stack([columns[axis] for axis in "xyz"]), points.reshape(-1, 3))
     assert (columns["nz"] == 1).all() and columns["illuminance_lx"][4] == result.illuminance[1, 1]
@@ -154,7 +156,7 @@ def test_nothing_is_a_scene_without_light():
 
 def test_cost_over_the_filter(monkeypatch):
     """A 64 x 64 grid: all that Python adds to the filter's own update, in processor time of this thread."""
-    inner, outer, watch = [], [], estimate.watch
+    inner, outer, watch = [], [], estimates.watch
 
     def timed(*arguments):
         started = time.thread_time()
@@ -162,7 +164,7 @@ def test_cost_over_the_filter(monkeypatch):
         inner.append(time.thread_time() - started)
         return stopped
 
-    monkeypatch.setattr(estimate, "watch", timed)
+    monkeypatch.setattr(estimates, "watch", timed)
     points, scene, light = grid(64, 64), room(), lamp()
     for _ in range(9):
         started = time.thread_time()

@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from kalos.clearance import clearance, triangles
-from kalos.sight import camera_rays, first_hits
-from kalos.solve import read_scene
+from kalos.scenes.clearance import clearance, triangles
+from kalos.scenes.reading import read_scene
+from kalos.scenes.sight import camera_rays, first_hits
 
 CORNELL = Path(__file__).resolve().parents[2] / "data" / "cornell" / "cornell.json"
 UP, X = (0, 0, 1), (1, 0, 0)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from kalos.convergence import Truth, bias, deviation_of_mean, errors, time_to
+from kalos.charts.convergence import Truth, bias, deviation_of_mean, errors, time_to
 
 TRUTH = Truth(np.array([100.0, 50.0, 0.0, 200.0]), np.zeros(4), "made up")
 

@@ -42,6 +42,15 @@ def test_first_light(example, tmp_path, capsys):
     assert colours(tmp_path / "first-light.png") > 200
 
 
+def test_scene_changes(example, tmp_path, capsys):
+    example("scene_changes", TRAJECTORIES=320).main(tmp_path)
+    dark, light, alone = (float(line.split("lx")[0].split()[-1]) for line in capsys.readouterr().out.splitlines())
+    assert alone < dark < light
+    scene = json.loads((tmp_path / "office.json").read_text())
+    assert scene["materials"]["walls"] == {"reflectance": 0.75} and len(scene["luminaires"]) == 3
+    assert colours(tmp_path / "dark" / "task.png") > 50 and (tmp_path / "light" / "floor.csv").exists()
+
+
 def test_edge_profile(example, tmp_path):
     module = example("edge_profile", SEEDS=range(1, 5), TRAJECTORIES=2000, DISTANCES=np.geomspace(1e-4, 1, 5),
                      METHODS=("local", "clamped", "compensated"))

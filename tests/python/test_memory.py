@@ -4,7 +4,7 @@ import resource
 
 import pytest
 
-from kalos import memory
+from kalos.solving import memory
 
 MB = 1024**2
 

@@ -20,7 +20,7 @@ PNG = b"\x89PNG\r\n\x1a\n"
 
 def test_ipython_shows_the_picture():
     shell = pytest.importorskip("IPython.core.interactiveshell", reason="no IPython").InteractiveShell.instance()
-    for code, kind in ((ILLUMINANCE, kalos.results.Illuminance), (LUMINANCE, kalos.results.Luminance)):
+    for code, kind in ((ILLUMINANCE, kalos.Illuminance), (LUMINANCE, kalos.Luminance)):
         ran = shell.run_cell(code)
         ran.raise_error()
         shown, _ = shell.display_formatter.format(ran.result)

@@ -1,11 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the package says twice agrees."""
+import importlib.util
+import pydoc
 import re
+import subprocess
+import sys
 from pathlib import Path
 
+import pytest
+
 import kalos
-from kalos import arrays
-from kalos.estimator import METHODS
+from kalos.core import arrays
+from kalos.core.options import METHODS
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -31,3 +37,24 @@ def test_every_class_is_there():
     for stem in ("SceneReader", "LuminaireSource", "CalculationPlane", "Illuminance", "LuminanceImage", "FalseColor",
                  "EXRReader", "EXRWriter", "SurfaceRepair", "SurfaceRemesh", "SingularEdges"):
         assert getattr(kalos, f"vtkKalos{stem}")().IsA(f"vtkKalos{stem}")
+
+
+def test_help_shows_the_functions():
+    text = pydoc.plain(pydoc.render_doc(kalos))
+    assert all(f"    {name}(" in text for name in ("illuminance", "luminance", "surface", "luminaire", "solve", "study", "chart", "validate"))
+    contents = re.search(r"PACKAGE CONTENTS\n(.*?)\n\n", text, re.DOTALL)[1].split("\n")
+    assert len(contents) <= 25  # packages, not every module of them
+
+
+def test_everything_that_is_promised_is_there_and_documented():
+    for name in kalos.__all__:
+        assert name == "__version__" or getattr(kalos, name).__doc__
+
+
+@pytest.mark.skipif(not importlib.util.find_spec("mypy"), reason="no mypy; pip install mypy")
+def test_types_of_a_user_program():
+    """mypy --strict knows everything that an example takes from kalos itself."""
+    found = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent", "--cache-dir=/dev/null",
+                            ROOT / "examples" / "scene_changes.py"], capture_output=True, text=True, check=False,
+                           env={"MYPYPATH": str(Path(kalos.__file__).absolute().parents[1])})
+    assert found.returncode == 0, found.stdout

@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
-from kalos.contenders import PEERS, Room
+from kalos.charts.contenders import PEERS, Room
 from kalos.peers import Absent
 from kalos.peers.description import beyond, describe
-from kalos.solve import read_scene
-from kalos.validate import CASES, DATA, allowed_deviation
+from kalos.scenes.reading import read_scene
+from kalos.validation.cases import CASES, DATA
+from kalos.validation.verdicts import allowed_deviation
 
 RUNS = 8
 CASE = {case.name: case for case in CASES}

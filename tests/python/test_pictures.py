@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
-from kalos.axonometry import seen_cells
-from kalos.colours import false_colours
-from kalos.projection import flat_frame
-from kalos.scale import colour_scale, round_up
-from kalos.summary import number, statistics
+from kalos.pictures.axonometry import seen_cells
+from kalos.pictures.colours import false_colours
+from kalos.pictures.projection import flat_frame
+from kalos.pictures.scale import colour_scale, round_up
+from kalos.results.statistics import statistics
+from kalos.results.text import number
 
 
 def frame(corners, normal):
@@ -46,10 +47,10 @@ def test_anything_else_is_not_flat():
 def test_scale_ends_at_a_round_number_and_cuts_spikes():
     assert [round_up(x) for x in (0, 0.013, 88, 100, 101, 700)] == pytest.approx([1, 0.015, 100, 100, 120, 800])
     smooth = np.linspace(0, 88, 1000)
-    assert (colour_scale(smooth).norm.vmax, colour_scale(smooth).cut) == (100, False)
+    assert (colour_scale(smooth).norm.vmax, colour_scale(smooth).cut) == (100, "neither")
     spiky = smooth.copy()
     spiky[0] = 1e5
-    assert (colour_scale(spiky).norm.vmax, colour_scale(spiky).cut) == (100, True)
+    assert (colour_scale(spiky).norm.vmax, colour_scale(spiky).cut) == (100, "max")
 
 
 def test_colours_run_from_dark_to_light():

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import kalos
-from kalos.progress import ProgressBar, clock
+from kalos.core.progress import ProgressBar, clock
 
 ROOM = kalos.box((2, 2, 1.5), (4, 4, 3), 0.5, inwards=True)
 LAMP = kalos.luminaire((2, 2, 2.9), 3000)

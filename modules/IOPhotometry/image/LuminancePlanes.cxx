@@ -15,7 +15,7 @@ namespace kalos
 namespace
 {
 /** Component of an array as float32; throws at the first value that is no luminance. */
-Plane MakePlane(const char* channel, vtkDataArray* array, int component, int width, int height)
+Plane makePlane(const char* channel, vtkDataArray* array, int component, int width, int height)
 {
   Plane plane{channel, std::vector<float>(static_cast<std::size_t>(width) * height)};
   for (int y = 0; y < height; ++y)
@@ -31,14 +31,14 @@ Plane MakePlane(const char* channel, vtkDataArray* array, int component, int wid
                 << "; expected a finite float32 value of at least 0 cd/m2";
         throw std::invalid_argument(message.str());
       }
-      plane.Samples[static_cast<std::size_t>(height - 1 - y) * width + x] = static_cast<float>(value);
+      plane.samples[static_cast<std::size_t>(height - 1 - y) * width + x] = static_cast<float>(value);
     }
   }
   return plane;
 }
 }  // namespace
 
-std::vector<Plane> MakePlanes(vtkImageData* image)
+std::vector<Plane> makePlanes(vtkImageData* image)
 {
   int size[3];
   image->GetDimensions(size);
@@ -56,12 +56,12 @@ std::vector<Plane> MakePlanes(vtkImageData* image)
     const char* const names[3] = {"R", "G", "B"};
     for (int c = 0; c < 3; ++c)
     {
-      planes.push_back(MakePlane(names[c], bands, c, size[0], size[1]));
+      planes.push_back(makePlane(names[c], bands, c, size[0], size[1]));
     }
   }
   else if (luminance && luminance->GetNumberOfComponents() == 1)
   {
-    planes.push_back(MakePlane("Y", luminance, 0, size[0], size[1]));
+    planes.push_back(makePlane("Y", luminance, 0, size[0], size[1]));
   }
   else
   {
@@ -69,7 +69,7 @@ std::vector<Plane> MakePlanes(vtkImageData* image)
   }
   if (error)
   {
-    planes.push_back(MakePlane("Y.standardError", error, 0, size[0], size[1]));
+    planes.push_back(makePlane("Y.standardError", error, 0, size[0], size[1]));
   }
   return planes;
 }

@@ -13,15 +13,15 @@ namespace kalos
 /** One channel: its samples, cd/m², from the top row down. */
 struct Plane
 {
-  std::string Channel;
-  std::vector<float> Samples;
+  std::string channel;
+  std::vector<float> samples;
 };
 
 /**
  * `R`, `G` and `B` from LuminanceBands of three components, else `Y` from Luminance; and `Y.standardError`. Throws
  * std::invalid_argument for an image of other arrays, and at the first value that is no luminance, with its pixel.
  */
-std::vector<Plane> MakePlanes(vtkImageData* image);
+std::vector<Plane> makePlanes(vtkImageData* image);
 }  // namespace kalos
 
 #endif

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "GltfFile.h"
-#include "GltfLights.h"
-#include "GltfMaterials.h"
-#include "GltfMeshes.h"
-#include "Tally.h"
+#include "../base/NoteCounter.h"
+#include "../gltf/GltfFile.h"
+#include "../gltf/GltfLights.h"
+#include "../gltf/GltfMaterials.h"
+#include "../gltf/GltfMeshes.h"
 
 namespace kalos::scene
 {
@@ -19,122 +20,171 @@ class Walk
 {
 public:
   Walk(const GltfFile& file, const ModelUse& use, Model& model)
-      : File(file), Use(use), Result(model), Meshes(file, model.Approximations), Found(model.Approximations)
+      : File(file), Use(use), Result(model), Meshes(file, model.approximations), Found(model.approximations)
   {
-    this->Palette = ReadGltfMaterials(file, *use.Overrides, model.Approximations);
+    this->Sources = readGltfMaterials(file, *use.overrides, model.approximations);
+    for (const GltfMaterial& source : this->Sources)
+    {
+      this->Palette.push_back(source.material);
+    }
     this->Unnamed = static_cast<std::int32_t>(this->Palette.size());
     Material plain;
-    plain.Reflectance = {UnnamedReflectance};
-    this->Palette.push_back(use.Fallback ? *use.Fallback : plain);
+    plain.reflectance = {UnnamedReflectance};
+    this->Palette.push_back(use.fallback ? *use.fallback : plain);
   }
 
-  void Run(const std::vector<Node>& roots)
+  void run(const std::vector<JsonCursor>& roots)
   {
-    this->Visited.resize(this->File.Section("nodes").size());
-    this->Push(roots, this->Use.Place);
+    this->Visited.resize(this->File.section("nodes").size());
+    this->push(roots, this->Use.place);
     while (!this->Work.empty())
     {
       const auto [index, world] = this->Work.back();
       this->Work.pop_back();
-      this->Visit(this->File.Section("nodes")[index], world);
+      this->visit(this->File.section("nodes")[index], world);
     }
   }
 
 private:
-  void Push(const std::vector<Node>& numbers, const Transform& parent)
+  void push(const std::vector<JsonCursor>& numbers, const Transform& parent)
   {
     for (auto number = numbers.rbegin(); number != numbers.rend(); ++number)
     {
-      const std::size_t index = this->File.Index(*number, "nodes");
+      const std::size_t index = this->File.index(*number, "nodes");
       if (this->Visited[index])
       {
-        number->Fail("node " + std::to_string(index) + " is met twice; expected a tree");
+        number->fail("node " + std::to_string(index) + " is met twice; expected a tree");
       }
       this->Visited[index] = true;
-      this->Work.emplace_back(index, parent * ReadNodeTransform(this->File.Section("nodes")[index]));
+      this->Work.emplace_back(index, parent * readNodeTransform(this->File.section("nodes")[index]));
     }
   }
 
-  void Visit(const Node& node, const Transform& world)
+  /** Whether KHR_node_visibility hides the node and its children. */
+  bool isHidden(const JsonCursor& node)
   {
-    if (node.Has("mesh"))
+    const auto extensions = node.find("extensions");
+    const auto holder = extensions ? extensions->find("KHR_node_visibility") : std::nullopt;
+    const auto visible = holder ? holder->find("visible") : std::nullopt;
+    if (!visible || visible->boolean())
     {
-      this->AddPart(node, world);
+      return false;
     }
-    if (const auto light = ReadGltfLight(this->File, node, world, this->Found))
+    this->Found.count("hidden nodes", node.has("name") ? node.at("name").string() : node.where(), "left out",
+                      "with all that hangs on them");
+    return true;
+  }
+
+  void visit(const JsonCursor& node, const Transform& world)
+  {
+    if (this->isHidden(node))
     {
-      this->Result.Lights.push_back(*light);
+      return;
     }
-    if (const auto camera = ReadGltfCamera(this->File, node, world, this->Found))
+    if (node.has("mesh"))
     {
-      this->Result.Cameras.push_back(*camera);
+      this->addPart(node, world);
     }
-    if (const auto children = node.Find("children"))
+    if (const auto light = readGltfLight(this->File, node, world, this->Found))
     {
-      this->Push(children->Items(), world);
+      this->Result.lights.push_back(*light);
+    }
+    if (const auto camera = readGltfCamera(this->File, node, world, this->Found))
+    {
+      this->Result.cameras.push_back(*camera);
+    }
+    if (const auto children = node.find("children"))
+    {
+      this->push(children->items(), world);
     }
   }
 
-  void AddPart(const Node& node, const Transform& world)
+  void addPart(const JsonCursor& node, const Transform& world)
   {
-    const GltfMesh& source = this->Meshes.Read(node.At("mesh"));
+    const GltfMesh& source = this->Meshes.read(node.at("mesh"));
     ModelPart part;
-    for (const Node& named : {node, this->File.Element(node.At("mesh"), "meshes")})
+    for (const JsonCursor& named : {node, this->File.element(node.at("mesh"), "meshes")})
     {
-      const auto name = named.Find("name");
-      part.Name = part.Name.empty() && name ? name->String() : part.Name;
+      const auto name = named.find("name");
+      part.name = part.name.empty() && name ? name->string() : part.name;
     }
-    if (node.Has("skin"))
+    if (node.has("skin"))
     {
-      this->Found.Count("skinned meshes", part.Name, "in their resting pose", "nothing moves here");
+      this->Found.count("skinned meshes", part.name, "in their resting pose", "nothing moves here");
     }
-    const std::vector<Transform> instances = ReadInstances(this->File, node);
-    this->Count += instances.size() * std::max(source.Triangles.size(), source.Points.size() / 3);
+    const std::vector<Transform> instances = readInstances(this->File, node);
+    this->Count += instances.size() * std::max(source.triangles.size(), source.points.size() / 3);
     if (this->Count > MaximumTriangles)
     {
-      node.Fail("too many triangles over all instances; expected at most " + std::to_string(MaximumTriangles));
+      node.fail("too many triangles over all instances; expected at most " + std::to_string(MaximumTriangles));
     }
     for (const Transform& instance : instances)
     {
-      this->AddTriangles(source, world * instance, part);
+      this->addTriangles(source, world * instance, part);
     }
-    if (part.Polygons.NumberOfPolygons() > 0)
+    if (part.polygons.numberOfPolygons() > 0)
     {
-      part.Polygons.TakeMaterials(this->Palette);
-      this->Result.Parts.push_back(std::move(part));
+      part.polygons.takeMaterials(this->Palette);
+      this->Result.parts.push_back(std::move(part));
     }
   }
 
-  void AddTriangles(const GltfMesh& source, const Transform& map, ModelPart& part)
+  void addTriangles(const GltfMesh& source, const Transform& map, ModelPart& part)
   {
-    Mesh& mesh = part.Polygons;
-    const auto first = static_cast<std::int64_t>(mesh.Points.size());
-    for (const Vector3& point : source.Points)
+    Mesh& mesh = part.polygons;
+    const auto first = static_cast<std::int64_t>(mesh.points.size());
+    for (const Vector3& point : source.points)
     {
-      mesh.Points.push_back(map.Point(point));
+      mesh.points.push_back(map.point(point));
     }
-    const bool turned = map.Mirrors();
+    const bool turned = map.mirrors();
     bool plain = false;
-    for (std::size_t t = 0; t < source.Triangles.size(); ++t)
+    for (std::size_t t = 0; t < source.triangles.size(); ++t)
     {
-      const auto& [a, b, c] = source.Triangles[t];
-      const std::int32_t material = source.MaterialOf[t];
-      plain = plain || material < 0;
-      mesh.AddPolygon({first + a, first + (turned ? c : b), first + (turned ? b : c)},
-                      material < 0 ? this->Unnamed : material);
+      const auto& [a, b, c] = source.triangles[t];
+      const std::int32_t material = source.materialOf[t];
+      const bool colored = !source.colorOf.empty();
+      plain = plain || (material < 0 && !colored);
+      const std::int32_t number = colored        ? this->coloredNumber(material, source.colorOf[t])
+                                  : material < 0 ? this->Unnamed
+                                                 : material;
+      const std::int64_t second = first + (turned ? c : b), third = first + (turned ? b : c);
+      mesh.addPolygon({first + a, second, third}, number);
+      if (material >= 0 && this->Sources[material].emitsOnBothSides)
+      {
+        mesh.addPolygon({first + a, third, second}, number);
+      }
     }
-    if (plain && !this->Use.Fallback)
+    if (plain && !this->Use.fallback)
     {
-      this->Found.Count(UnnamedSubject, part.Name, UnnamedChoice, UnnamedReason);
+      this->Found.count(UnnamedSubject, part.name, UnnamedChoice, UnnamedReason);
     }
+  }
+
+  /** The index in Palette of a material times a vertex colour; without a material the colour is the reflectance. */
+  std::int32_t coloredNumber(std::int32_t material, const std::array<double, 3>& color)
+  {
+    const auto [known, added] =
+        this->Colored.emplace(std::make_pair(material, color), static_cast<std::int32_t>(this->Palette.size()));
+    if (added)
+    {
+      MetallicRoughness plain;
+      plain.metallic = 0.0;
+      GltfMaterial source{this->Palette[this->Unnamed], {}};
+      source.source = this->Use.fallback ? std::nullopt : std::optional<MetallicRoughness>(plain);
+      this->Palette.push_back(multiplyBaseColor(material < 0 ? source : this->Sources[material], color));
+    }
+    return known->second;
   }
 
   const GltfFile& File;
   const ModelUse& Use;
   Model& Result;
   GltfMeshes Meshes;
-  Tally Found;
+  NoteCounter Found;
+  std::vector<GltfMaterial> Sources;
   std::vector<Material> Palette;
+  std::map<std::pair<std::int32_t, std::array<double, 3>>, std::int32_t> Colored;
   std::int32_t Unnamed = 0;
   std::vector<bool> Visited;
   std::vector<std::pair<std::size_t, Transform>> Work;
@@ -142,25 +192,26 @@ private:
 };
 
 /** The numbers of the root nodes: of the default scene, or of the first. */
-std::vector<Node> Roots(const GltfFile& file)
+std::vector<JsonCursor> roots(const GltfFile& file)
 {
-  const auto scene = file.Root().Find("scene");
-  const std::vector<Node>& scenes = file.Section("scenes");
+  const auto scene = file.root().find("scene");
+  const std::vector<JsonCursor>& scenes = file.section("scenes");
   if (!scene && scenes.empty())
   {
-    file.Root().Fail("no scenes; expected one, as a library of meshes has no place for them");
+    file.root().fail("no scenes; expected one, as a library of meshes has no place for them");
   }
-  const Node& chosen = scene ? file.Element(*scene, "scenes") : scenes.front();
-  const auto nodes = chosen.Find("nodes");
-  return nodes ? nodes->Items() : std::vector<Node>();
+  const JsonCursor& chosen = scene ? file.element(*scene, "scenes") : scenes.front();
+  const auto nodes = chosen.find("nodes");
+  return nodes ? nodes->items() : std::vector<JsonCursor>();
 }
 }  // namespace
 
-Model ReadGltfModel(const std::string& path, const ModelUse& use)
+Model readGltfModel(const std::string& path, const ModelUse& use)
 {
   Model model;
-  const GltfFile file(path, model.Approximations);
-  Walk(file, use, model).Run(Roots(file));
+  const GltfFile file(path, model.approximations);
+  file.tellExtensions(model.approximations);
+  Walk(file, use, model).run(roots(file));
   return model;
 }
 }  // namespace kalos::scene

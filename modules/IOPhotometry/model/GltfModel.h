@@ -9,8 +9,8 @@
 
 namespace kalos::scene
 {
-/** Read the default scene: a part per node with a mesh, lights and cameras. Throws SceneError. */
-Model ReadGltfModel(const std::string& path, const ModelUse& use);
+/** Read the default scene: a part per node with a mesh, lights and cameras. Throws InputError. */
+Model readGltfModel(const std::string& path, const ModelUse& use);
 }  // namespace kalos::scene
 
 #endif

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <filesystem>
 
-#include "../scene/SceneError.h"
+#include "../base/InputError.h"
 #include "GltfModel.h"
 #include "ObjModel.h"
 
@@ -13,7 +13,7 @@ namespace kalos::scene
 {
 namespace
 {
-std::string Suffix(const std::string& path)
+std::string suffix(const std::string& path)
 {
   std::string suffix = std::filesystem::path(path).extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -21,58 +21,54 @@ std::string Suffix(const std::string& path)
 }
 }  // namespace
 
-bool IsGltfFile(const std::string& path)
+bool isGltfFile(const std::string& path)
 {
-  return Suffix(path) == ".gltf" || Suffix(path) == ".glb";
+  return suffix(path) == ".gltf" || suffix(path) == ".glb";
 }
 
-bool IsModelFile(const std::string& path)
+bool isModelFile(const std::string& path)
 {
-  return IsGltfFile(path) || Suffix(path) == ".obj";
+  return isGltfFile(path) || suffix(path) == ".obj";
 }
 
-Transform UprightPlace(double scale, bool yUp)
+Transform uprightPlace(double scale, bool yUp)
 {
   Transform place;
-  place.Axes = {{{scale, 0.0, 0.0},
+  place.axes = {{{scale, 0.0, 0.0},
                  yUp ? Vector3{0.0, 0.0, scale} : Vector3{0.0, scale, 0.0},
                  yUp ? Vector3{0.0, -scale, 0.0} : Vector3{0.0, 0.0, scale}}};
   return place;
 }
 
-Model ReadModelFile(const Node& place, const std::string& path, const ModelUse& use)
+Model readModelFile(const JsonCursor& place, const std::string& path, const ModelUse& use)
 {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
   {
-    place.Fail("no file " + path + "; expected a mesh file, its path relative to the scene file");
+    place.fail("no file " + path + "; expected a mesh file, its path relative to the scene file");
   }
   Model model;
   try
   {
-    model = IsGltfFile(path) ? ReadGltfModel(path, use) : ReadObjModel(path, use);
+    model = isGltfFile(path) ? readGltfModel(path, use) : readObjModel(path, use);
   }
-  catch (const SceneError& error)
+  catch (const InputError& error)
   {
-    throw error.In(path);
+    throw error.in(path);
   }
   std::size_t dropped = 0;
-  for (ModelPart& part : model.Parts)
+  for (ModelPart& part : model.parts)
   {
-    dropped += part.Polygons.DropDegenerate();
-    part.Polygons.Check(path, "face");
+    part.polygons.check(path, "face");
+    dropped += part.polygons.dropDegenerate();
   }
-  model.Parts.erase(std::remove_if(model.Parts.begin(), model.Parts.end(),
-                                   [](const ModelPart& part) { return part.Polygons.NumberOfPolygons() == 0; }),
-                    model.Parts.end());
-  if (dropped > 0)
+  model.parts.erase(std::remove_if(model.parts.begin(), model.parts.end(),
+                                   [](const ModelPart& part) { return part.polygons.numberOfPolygons() == 0; }),
+                    model.parts.end());
+  noteDegenerate(dropped, model.approximations);
+  if (model.parts.empty() && model.lights.empty())
   {
-    model.Approximations.push_back(
-        {"degenerate faces", "left out", "they have no area (" + std::to_string(dropped) + ")"});
-  }
-  if (model.Parts.empty() && model.Lights.empty())
-  {
-    throw SceneError(path, "file", "no polygons and no lights; expected at least one of them");
+    throw InputError(path, "file", "no polygons and no lights; expected at least one of them");
   }
   return model;
 }

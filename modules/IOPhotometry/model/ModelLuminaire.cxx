@@ -16,7 +16,7 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 
 /** A table that is the same in all half-planes: intensities at angles from the aim, both in degrees. */
-void SetRoundBeam(vtkKalosLuminaireSource* source, const std::vector<double>& angles,
+void setRoundBeam(vtkKalosLuminaireSource* source, const std::vector<double>& angles,
                   const std::vector<double>& candela)
 {
   vtkNew<vtkDoubleArray> tuples;
@@ -34,54 +34,55 @@ void SetRoundBeam(vtkKalosLuminaireSource* source, const std::vector<double>& an
   source->SetFlux(CandelaTable({0.0, 360.0}, angles, twice, CandelaTable::Pole::Axis).flux());
 }
 
-void MakeSpot(const ModelLight& light, vtkKalosLuminaireSource* source)
+void makeSpot(const ModelLight& light, vtkKalosLuminaireSource* source)
 {
-  const double inner = std::cos(light.InnerAngle), outer = std::cos(light.OuterAngle);
+  // As the extension writes it: the difference of the cosines is at least 0.001.
+  const double outer = std::cos(light.outerAngle), inner = std::max(std::cos(light.innerAngle), outer + 0.001);
+  const double innerAngle = std::acos(std::min(1.0, inner));
   std::vector<double> angles, candela;
-  if (light.InnerAngle > 0.0)
+  if (innerAngle > 0.0)
   {
     angles.push_back(0.0);
-    candela.push_back(light.Strength);
+    candela.push_back(light.strength);
   }
   for (int i = 0; i <= SpotSteps; ++i)
   {
-    const double angle = light.InnerAngle + (light.OuterAngle - light.InnerAngle) * i / SpotSteps;
-    // As the extension writes it: the difference of the cosines is at least 0.001.
-    const double share = std::clamp((std::cos(angle) - outer) / std::max(0.001, inner - outer), 0.0, 1.0);
+    const double angle = innerAngle + (light.outerAngle - innerAngle) * i / SpotSteps;
+    const double share = std::clamp((std::cos(angle) - outer) / (inner - outer), 0.0, 1.0);
     angles.push_back(std::min(180.0, angle * 180.0 / Pi));
-    candela.push_back(light.Strength * share * share);
+    candela.push_back(light.strength * share * share);
   }
-  SetRoundBeam(source, angles, candela);
+  setRoundBeam(source, angles, candela);
 }
 
-void MakeParallel(const ModelLight& light, const Ball& scene, vtkKalosLuminaireSource* source)
+void makeParallel(const ModelLight& light, const Ball& scene, vtkKalosLuminaireSource* source)
 {
-  const double distance = ParallelDistance * scene.Radius;
+  const double distance = ParallelDistance * scene.radius;
   const double edge = std::asin(1.0 / ParallelDistance) * 180.0 / Pi;
-  const double intensity = light.Strength * distance * distance;
-  source->SetPosition(Subtract(scene.Center, Scale(distance, light.Aim)).data());
-  SetRoundBeam(source, {0.0, edge}, {intensity, intensity});
+  const double intensity = light.strength * distance * distance;
+  source->SetPosition((scene.center - distance * light.aim).data());
+  setRoundBeam(source, {0.0, edge}, {intensity, intensity});
 }
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> MakeModelLuminaire(const ModelLight& light, const Ball& scene)
+vtkSmartPointer<vtkPolyData> makeModelLuminaire(const ModelLight& light, const Ball& scene)
 {
   vtkNew<vtkKalosLuminaireSource> source;
-  source->SetName(light.Name);
-  source->SetPosition(light.Position.data());
-  source->SetAim(light.Aim.data());
-  if (!(light.Strength > 0.0) || light.Type == ModelLight::Kind::Point)
+  source->SetName(light.name);
+  source->SetPosition(light.position.data());
+  source->SetAim(light.aim.data());
+  if (!(light.strength > 0.0) || light.type == ModelLight::Kind::Point)
   {
     source->SetDistribution(vtkKalosLuminaireSource::ISOTROPIC);
-    source->SetFlux(4.0 * Pi * light.Strength);
+    source->SetFlux(4.0 * Pi * light.strength);
   }
-  else if (light.Type == ModelLight::Kind::Spot)
+  else if (light.type == ModelLight::Kind::Spot)
   {
-    MakeSpot(light, source);
+    makeSpot(light, source);
   }
   else
   {
-    MakeParallel(light, scene, source);
+    makeParallel(light, scene, source);
   }
   source->Update();
   return source->GetOutput();

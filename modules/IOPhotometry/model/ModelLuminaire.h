@@ -9,11 +9,11 @@
 
 namespace kalos::scene
 {
-/** A ball about everything that parallel light has to reach. */
+/** A sphere around everything that parallel light has to reach. */
 struct Ball
 {
-  Vector3 Center{};
-  double Radius = 0.0;
+  Vector3 center{};
+  double radius = 0.0;
 };
 
 /**
@@ -25,7 +25,7 @@ struct Ball
  * - Parallel light of E lx comes from a point ParallelDistance radii of the ball away, whose narrow beam just covers
  *   it: E at the centre, and within 0.2 % of it in the ball.
  */
-vtkSmartPointer<vtkPolyData> MakeModelLuminaire(const ModelLight& light, const Ball& scene);
+vtkSmartPointer<vtkPolyData> makeModelLuminaire(const ModelLight& light, const Ball& scene);
 
 constexpr int SpotSteps = 128;
 constexpr double ParallelDistance = 1000.0;

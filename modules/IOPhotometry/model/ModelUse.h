@@ -3,16 +3,16 @@
 #ifndef KalosModelUse_h
 #define KalosModelUse_h
 
+#include "../mesh/Transform.h"
 #include "Model.h"
-#include "Transform.h"
 
 namespace kalos::scene
 {
 struct ModelUse
 {
-  Transform Place;                       ///< from the file's coordinates to metres with z up
-  const Materials* Overrides = nullptr;  ///< by name, before the file's own
-  const Material* Fallback = nullptr;    ///< of polygons without a material; UnnamedReflectance if null
+  Transform place;                       ///< from the file's coordinates to metres with z up
+  const Materials* overrides = nullptr;  ///< by name, before the file's own
+  const Material* fallback = nullptr;    ///< of polygons without a material; UnnamedReflectance if null
 };
 
 constexpr double UnnamedReflectance = 0.5;  ///< diffuse, of polygons without any material

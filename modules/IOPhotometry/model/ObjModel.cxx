@@ -2,117 +2,71 @@
 #include "ObjModel.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <unordered_map>
 
-#include "../scene/FilePaths.h"
-#include "../scene/SceneError.h"
-#include "MtlFile.h"
-#include "Tally.h"
+#include "../base/FilePaths.h"
+#include "../base/InputError.h"
+#include "../base/NoteCounter.h"
+#include "../mesh/ObjMaterials.h"
 
 namespace kalos::scene
 {
 namespace
 {
-/** All libraries that are there, in one; `missing` names those that are not. */
-Materials ReadLibraries(const std::string& path, const ObjFile& file, Notes& notes, std::string& missing)
-{
-  Materials all;
-  for (const std::string& name : file.Libraries)
-  {
-    const std::string library = ResolvePath(std::filesystem::path(path).parent_path().string(), name, notes);
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(library, ignored))
-    {
-      all.merge(ReadMtlFile(library, notes));
-    }
-    else
-    {
-      missing += " (there is no " + Quotable(name) + ")";
-    }
-  }
-  return all;
-}
-
 /** Give the mesh, whose corners count `all`, the points of these that it uses. */
-void TakePoints(Mesh& mesh, const std::vector<Vector3>& all, const Transform& place)
+void takePoints(Mesh& mesh, const std::vector<Vector3>& all, const Transform& place)
 {
   std::unordered_map<std::int64_t, std::int64_t> numbers;
-  for (std::int64_t& corner : mesh.Corners)
+  for (std::int64_t& corner : mesh.corners)
   {
-    const auto [known, added] = numbers.emplace(corner, static_cast<std::int64_t>(mesh.Points.size()));
+    const auto [known, added] = numbers.emplace(corner, static_cast<std::int64_t>(mesh.points.size()));
     if (added)
     {
-      mesh.Points.push_back(place.Point(all[corner]));
+      mesh.points.push_back(place.point(all[corner]));
     }
     corner = known->second;
   }
 }
 }  // namespace
 
-std::vector<Material> FindObjMaterials(const std::string& path, const ObjFile& file, const Materials& overrides,
-                                       Notes& notes)
-{
-  const auto given = [&](const std::string& name) { return overrides.count(name) > 0; };
-  Materials own;
-  std::string missing;
-  if (!std::all_of(file.MaterialNames.begin(), file.MaterialNames.end(), given))
-  {
-    own = ReadLibraries(path, file, notes, missing);
-  }
-  std::vector<Material> materials;
-  for (const std::string& name : file.MaterialNames)
-  {
-    const Materials& from = given(name) ? overrides : own;
-    const auto found = from.find(name);
-    if (found == from.end())
-    {
-      throw SceneError(
-          path, "usemtl " + Quotable(name),
-          "no such material in the scene; expected a name from \"materials\" or of a library of the file" + missing);
-    }
-    materials.push_back(found->second);
-  }
-  return materials;
-}
-
-Model ReadObjModel(const std::string& path, const ModelUse& use)
+Model readObjModel(const std::string& path, const ModelUse& use)
 {
   Model model;
-  const ObjFile file = ReadObjFile(path);
-  std::vector<Material> palette = FindObjMaterials(path, file, *use.Overrides, model.Approximations);
+  ObjFile file = readObjFile(path, model.approximations);
+  useObjMaterials(path, file, *use.overrides, false, model.approximations);
+  std::vector<Material>& palette = file.polygons.palette;
   const auto unnamed = static_cast<std::int32_t>(palette.size());
   Material plain;
-  plain.Reflectance = {UnnamedReflectance};
-  palette.push_back(use.Fallback ? *use.Fallback : plain);
+  plain.reflectance = {UnnamedReflectance};
+  palette.push_back(use.fallback ? *use.fallback : plain);
 
-  std::vector<ModelPart> parts(file.ObjectNames.size());
-  Tally found(model.Approximations);
-  for (std::size_t p = 0; p < file.Polygons.NumberOfPolygons(); ++p)
+  std::vector<ModelPart> parts(file.objectNames.size());
+  NoteCounter found(model.approximations);
+  for (std::size_t p = 0; p < file.polygons.numberOfPolygons(); ++p)
   {
-    const std::size_t object = file.ObjectOf[p];
+    const std::size_t object = file.objectOf[p];
     ModelPart& part = parts[object];
-    part.Name = file.ObjectNames[object];
+    part.name = file.objectNames[object];
     std::vector<std::int64_t> corners;
-    for (std::int64_t i = file.Polygons.Begin(p); i < file.Polygons.Ends[p]; ++i)
+    for (std::int64_t i = file.polygons.begin(p); i < file.polygons.ends[p]; ++i)
     {
-      corners.push_back(file.Polygons.Corners[i]);
+      corners.push_back(file.polygons.corners[i]);
     }
-    const std::int32_t material = file.Polygons.MaterialOf[p];
-    part.Polygons.AddPolygon(corners, material < 0 ? unnamed : material);
+    const std::int32_t material = file.polygons.materialOf[p];
+    part.polygons.addPolygon(corners, material < 0 ? unnamed : material);
   }
-  const bool anyPlain = std::count(file.Polygons.MaterialOf.begin(), file.Polygons.MaterialOf.end(), -1) > 0;
-  if (anyPlain && !use.Fallback)
+  const bool anyPlain = std::count(file.polygons.materialOf.begin(), file.polygons.materialOf.end(), -1) > 0;
+  if (anyPlain && !use.fallback)
   {
-    found.Count(UnnamedSubject, path.substr(path.find_last_of('/') + 1), UnnamedChoice, UnnamedReason);
+    found.count(UnnamedSubject, path.substr(path.find_last_of('/') + 1), UnnamedChoice, UnnamedReason);
   }
   for (ModelPart& part : parts)
   {
-    if (part.Polygons.NumberOfPolygons() > 0)
+    if (part.polygons.numberOfPolygons() > 0)
     {
-      TakePoints(part.Polygons, file.Polygons.Points, use.Place);
-      part.Polygons.TakeMaterials(palette);
-      model.Parts.push_back(std::move(part));
+      takePoints(part.polygons, file.polygons.points, use.place);
+      part.polygons.takeMaterials(palette);
+      model.parts.push_back(std::move(part));
     }
   }
   return model;

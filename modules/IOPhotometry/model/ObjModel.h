@@ -5,20 +5,12 @@
 
 #include <string>
 
-#include "../scene/ObjFile.h"
 #include "ModelUse.h"
 
 namespace kalos::scene
 {
-/** A part per object ("o", or "g" where there are none). Throws SceneError. */
-Model ReadObjModel(const std::string& path, const ModelUse& use);
-
-/**
- * The materials that the OBJ at `path` names, in its order: from `overrides`, else from its libraries. A name that is
- * nowhere is an error.
- */
-std::vector<Material> FindObjMaterials(const std::string& path, const ObjFile& file, const Materials& overrides,
-                                       Notes& notes);
+/** A part per object ("o", or "g" where there are none). Throws InputError. */
+Model readObjModel(const std::string& path, const ModelUse& use);
 }  // namespace kalos::scene
 
 #endif

@@ -22,7 +22,7 @@ namespace
 constexpr double degree = kalos::pi / 180;
 constexpr int planeStep = 5, angleStep = 2;  // degrees, of the solid
 
-std::optional<std::string> ReadText(const std::string& path)
+std::optional<std::string> readText(const std::string& path)
 {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
@@ -39,20 +39,20 @@ std::optional<std::string> ReadText(const std::string& path)
 }
 
 /** Towards half-plane C at angle gamma, with the photometric axis as z. */
-Vec3 Direction(double c, double gamma)
+Vec3 direction(double c, double gamma)
 {
   const double s = std::sin(gamma * degree);
   return {s * std::cos(c * degree), s * std::sin(c * degree), std::cos(gamma * degree)};
 }
 
-vtkSmartPointer<vtkDoubleArray> NewIntensity()
+vtkSmartPointer<vtkDoubleArray> newIntensity()
 {
   auto intensity = vtkSmartPointer<vtkDoubleArray>::New();
   intensity->SetName(vtkKalosArrayNames::Intensity);
   return intensity;
 }
 
-std::string ColumnName(const CandelaTable& table, double plane)
+std::string columnName(const CandelaTable& table, double plane)
 {
   std::string number = std::to_string(plane);
   number.erase(number.find_last_not_of('0') + 1);
@@ -61,9 +61,9 @@ std::string ColumnName(const CandelaTable& table, double plane)
 }
 }  // namespace
 
-PhotometricFile ReadFile(const std::string& path, int lampSet)
+PhotometricFile readFile(const std::string& path, int lampSet)
 {
-  const auto text = ReadText(path);
+  const auto text = readText(path);
   if (!text)
   {
     throw PhotometryError(1, "file", "no such file, or not readable; expected a photometric file");
@@ -72,30 +72,30 @@ PhotometricFile ReadFile(const std::string& path, int lampSet)
   options.lampSet = lampSet;
   options.findTilt = [&](const std::string& name) {
     const std::string base = name.substr(name.find_last_of("/\\") + 1);
-    return ReadText((std::filesystem::path(path).parent_path() / base).string());
+    return readText((std::filesystem::path(path).parent_path() / base).string());
   };
   return parsePhotometry(*text, options);
 }
 
-double Intensity(const CandelaTable& table, double c, double gamma)
+double intensity(const CandelaTable& table, double c, double gamma)
 {
-  return table.pole() == CandelaTable::Pole::Axis ? table.intensity(c, gamma) : table.intensity(Direction(c, gamma));
+  return table.pole() == CandelaTable::Pole::Axis ? table.intensity(c, gamma) : table.intensity(direction(c, gamma));
 }
 
-void FillSolid(const CandelaTable& table, vtkPolyData* solid)
+void fillSolid(const CandelaTable& table, vtkPolyData* solid)
 {
   constexpr int columns = 360 / planeStep, rows = 180 / angleStep + 1;
   vtkNew<vtkPoints> points;
-  auto intensity = NewIntensity();
+  auto values = newIntensity();
   for (int row = 0; row < rows; ++row)
   {
     for (int column = 0; column < columns; ++column)
     {
       const double c = column * planeStep, gamma = row * angleStep;
-      const double cd = Intensity(table, c, gamma);
-      const Vec3 p = cd / table.largest() * Direction(c, gamma);
+      const double cd = intensity(table, c, gamma);
+      const Vec3 p = cd / table.largest() * direction(c, gamma);
       points->InsertNextPoint(p.x, p.y, -p.z);
-      intensity->InsertNextValue(cd);
+      values->InsertNextValue(cd);
     }
   }
   vtkNew<vtkCellArray> quads;
@@ -110,31 +110,31 @@ void FillSolid(const CandelaTable& table, vtkPolyData* solid)
   }
   solid->SetPoints(points);
   solid->SetPolys(quads);
-  solid->GetPointData()->SetScalars(intensity);
+  solid->GetPointData()->SetScalars(values);
 }
 
-void FillPolarCurves(const CandelaTable& table, vtkPolyData* curves)
+void fillPolarCurves(const CandelaTable& table, vtkPolyData* curves)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
-  auto intensity = NewIntensity();
+  auto values = newIntensity();
   for (const double plane : {0.0, 90.0})
   {
     lines->InsertNextCell(361);
     for (int gamma = -180; gamma <= 180; ++gamma)
     {
-      const double cd = Intensity(table, gamma < 0 ? plane + 180 : plane, std::abs(gamma));
+      const double cd = intensity(table, gamma < 0 ? plane + 180 : plane, std::abs(gamma));
       const double r = cd / table.largest();
       lines->InsertCellPoint(points->InsertNextPoint(r * std::sin(gamma * degree), -r * std::cos(gamma * degree), 0));
-      intensity->InsertNextValue(cd);
+      values->InsertNextValue(cd);
     }
   }
   curves->SetPoints(points);
   curves->SetLines(lines);
-  curves->GetPointData()->SetScalars(intensity);
+  curves->GetPointData()->SetScalars(values);
 }
 
-void FillTable(const CandelaTable& table, vtkTable* columns)
+void fillTable(const CandelaTable& table, vtkTable* columns)
 {
   const auto rows = static_cast<vtkIdType>(table.angles().size());
   vtkNew<vtkDoubleArray> angles;
@@ -147,7 +147,7 @@ void FillTable(const CandelaTable& table, vtkTable* columns)
   for (std::size_t p = 0; p < table.planes().size(); ++p)
   {
     vtkNew<vtkDoubleArray> column;
-    column->SetName(ColumnName(table, table.planes()[p]).c_str());
+    column->SetName(columnName(table, table.planes()[p]).c_str());
     for (vtkIdType a = 0; a < rows; ++a)
     {
       column->InsertNextValue(table.candela()[p * rows + a]);

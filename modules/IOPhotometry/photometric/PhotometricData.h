@@ -13,14 +13,14 @@ class vtkTable;
 namespace kalos::photometric
 {
 /** Read and parse; a tilt file is looked for beside the file. Throws PhotometryError. */
-PhotometricFile ReadFile(const std::string& path, int lampSet);
+PhotometricFile readFile(const std::string& path, int lampSet);
 
 /** cd in half-plane C at angle gamma, degrees. */
-double Intensity(const CandelaTable& table, double c, double gamma);
+double intensity(const CandelaTable& table, double c, double gamma);
 
-void FillSolid(const CandelaTable& table, vtkPolyData* solid);
-void FillPolarCurves(const CandelaTable& table, vtkPolyData* curves);
-void FillTable(const CandelaTable& table, vtkTable* columns);
+void fillSolid(const CandelaTable& table, vtkPolyData* solid);
+void fillPolarCurves(const CandelaTable& table, vtkPolyData* curves);
+void fillTable(const CandelaTable& table, vtkTable* columns);
 }  // namespace kalos::photometric
 
 #endif

@@ -8,8 +8,9 @@
 #include <fstream>
 #include <locale>
 #include <sstream>
+#include <stdexcept>
 
-#include "SceneError.h"
+#include "../base/InputError.h"
 #include "SceneReceivers.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -25,7 +26,7 @@ namespace
 const char* const Header = "x,y,z,nx,ny,nz";
 
 /** Six finite numbers between commas, or false. */
-bool ParseRow(const std::string& line, std::array<double, 6>& row)
+bool parseRow(const std::string& line, std::array<double, 6>& row)
 {
   std::istringstream text(line);
   text.imbue(std::locale::classic());
@@ -40,23 +41,23 @@ bool ParseRow(const std::string& line, std::array<double, 6>& row)
   return (text >> std::ws).eof();
 }
 
-/** The next line as far as it is not too long, which is an error; false at the end of the file. */
-bool NextLine(std::istream& file, std::string& line, const std::string& path, long long number)
+/** Reads the next line; one that is too long is an error. False at the end of the file. */
+bool nextLine(std::istream& file, std::string& line, const std::string& path, long long number)
 {
   std::array<char, MaximumProbeLine + 1> buffer;
   file.getline(buffer.data(), buffer.size());
   const auto count = static_cast<std::size_t>(file.gcount());
   if (file.fail() && count > 0)
   {
-    throw SceneError(path, "line " + std::to_string(number),
+    throw InputError(path, "line " + std::to_string(number),
                      "longer than " + std::to_string(MaximumProbeLine) + " bytes; expected " + Header);
   }
   line.assign(buffer.data(), file.eof() ? count : count - std::min<std::size_t>(count, 1));
   return !file.fail();
 }
 
-/** Make a unit vector of any finite one, even where its square is beyond the numbers; false for zero. */
-bool MakeUnit(double* vector)
+/** Normalizes any finite vector, even if its square overflows; false for zero. */
+bool makeUnit(double* vector)
 {
   const double largest = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
   for (int i = 0; largest > 0.0 && i < 3; ++i)
@@ -65,67 +66,97 @@ bool MakeUnit(double* vector)
   }
   return vtkMath::Normalize(vector) > 0.0;
 }
+/** The receivers as they are read. */
+struct Receivers
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkDoubleArray> normals;
+
+  Receivers()
+  {
+    this->points->SetDataTypeToDouble();
+    this->normals->SetName("Normals");
+    this->normals->SetNumberOfComponents(3);
+  }
+
+  void add(std::array<double, 6>& row)
+  {
+    const vtkIdType id = this->points->InsertNextPoint(row.data());
+    this->vertices->InsertNextCell(1, &id);
+    this->normals->InsertNextTuple(&row[3]);
+  }
+};
+
+/** Throws with what is wrong and expected. */
+void readLine(const std::string& line, std::int64_t most, Receivers& receivers)
+{
+  std::array<double, 6> row;
+  if (!parseRow(line, row))
+  {
+    throw std::invalid_argument(std::string("not a receiver; expected six finite numbers ") + Header);
+  }
+  if (!makeUnit(&row[3]))
+  {
+    throw std::invalid_argument("the normal is zero; expected a direction");
+  }
+  if (receivers.points->GetNumberOfPoints() >= most)
+  {
+    throw std::invalid_argument("one receiver too many; expected " + fewerReceivers(most));
+  }
+  receivers.add(row);
+}
+
+void checkHeader(std::string line)
+{
+  const bool marked = line.compare(0, 3, "\xEF\xBB\xBF") == 0;
+  line.erase(0, marked ? 3 : 0);
+  line.erase(std::remove(line.begin(), line.end(), ' '), line.end());
+  if (line != Header)
+  {
+    throw std::invalid_argument(std::string("the header is not as it should be; expected ") + Header);
+  }
+}
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> ReadProbeFile(const Node& place, const std::string& path, std::int64_t most)
+vtkSmartPointer<vtkPolyData> readProbeFile(const JsonCursor& place, const std::string& path, std::int64_t most)
 {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
   {
-    place.Fail("no file " + path + "; expected a CSV file, its path relative to the scene file");
+    place.fail("no file " + path + "; expected a CSV file, its path relative to the scene file");
   }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-
+  Receivers receivers;
   std::ifstream file(path, std::ios::binary);
   std::string line;
-  for (long long number = 1; NextLine(file, line, path, number); ++number)
+  for (long long number = 1; nextLine(file, line, path, number); ++number)
   {
-    const std::string where = "line " + std::to_string(number);
     line.erase(line.find_last_not_of(" \t\r") + 1);
-    if (number == 1)
+    try
     {
-      line.erase(std::remove(line.begin(), line.end(), ' '), line.end());
-      if (line != Header)
+      if (number == 1)
       {
-        throw SceneError(path, where, std::string("the header is not as it should be; expected ") + Header);
+        checkHeader(line);
       }
-      continue;
+      else if (!line.empty())
+      {
+        readLine(line, most, receivers);
+      }
     }
-    std::array<double, 6> row;
-    if (line.empty())
+    catch (const std::invalid_argument& error)
     {
-      continue;
+      throw InputError(path, "line " + std::to_string(number), error.what());
     }
-    if (!ParseRow(line, row))
-    {
-      throw SceneError(path, where, std::string("not a receiver; expected six finite numbers ") + Header);
-    }
-    if (!MakeUnit(&row[3]))
-    {
-      throw SceneError(path, where, "the normal is zero; expected a direction");
-    }
-    if (points->GetNumberOfPoints() >= most)
-    {
-      throw SceneError(path, where, "one receiver too many; expected " + FewerReceivers(most));
-    }
-    const vtkIdType id = points->InsertNextPoint(row.data());
-    vertices->InsertNextCell(1, &id);
-    normals->InsertNextTuple(&row[3]);
   }
-  if (points->GetNumberOfPoints() == 0)
+  if (receivers.points->GetNumberOfPoints() == 0)
   {
-    throw SceneError(path, "file",
+    throw InputError(path, "file",
                      std::string("no receivers; expected the header ") + Header + " and at least one line");
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetVerts(vertices);
-  data->GetPointData()->SetNormals(normals);
+  data->SetPoints(receivers.points);
+  data->SetVerts(receivers.vertices);
+  data->GetPointData()->SetNormals(receivers.normals);
   return data;
 }
 }  // namespace kalos::scene

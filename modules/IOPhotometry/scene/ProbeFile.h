@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "SceneJson.h"
+#include "../base/JsonCursor.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -18,7 +18,7 @@ constexpr std::size_t MaximumProbeLine = 1024;
  * passed over. The output has vertices and point normals of unit length. `place` is the scene's value with the path.
  * More than `most` receivers, and lines longer than MaximumProbeLine bytes, are errors.
  */
-vtkSmartPointer<vtkPolyData> ReadProbeFile(const Node& place, const std::string& path, std::int64_t most);
+vtkSmartPointer<vtkPolyData> readProbeFile(const JsonCursor& place, const std::string& path, std::int64_t most);
 }  // namespace kalos::scene
 
 #endif

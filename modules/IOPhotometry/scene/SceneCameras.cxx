@@ -1,60 +1,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneCameras.h"
 
-#include "Mesh.h"
+#include "../mesh/Mesh.h"
 
 namespace kalos::scene
 {
 namespace
 {
-Camera ReadCamera(const Node& node)
+Camera readCamera(const JsonCursor& node)
 {
-  node.CheckKeys({"name", "position", "target", "up", "fov_deg", "resolution"});
+  node.checkKeys({"name", "position", "target", "up", "fov_deg", "resolution"});
   Camera camera;
-  camera.Name = node.Name();
-  static_cast<Sight&>(camera) = ReadSight(node);
-  const Node angle = node.At("fov_deg");
-  camera.FieldOfView = angle.Number();
-  if (!(camera.FieldOfView > 0.0 && camera.FieldOfView < 180.0))
+  camera.name = node.name();
+  static_cast<Sight&>(camera) = readSight(node);
+  const JsonCursor angle = node.at("fov_deg");
+  camera.fieldOfView = angle.number();
+  if (!(camera.fieldOfView > 0.0 && camera.fieldOfView < 180.0))
   {
-    angle.FailExpected("an angle above 0 and below 180 degrees");
+    angle.failExpected("an angle above 0 and below 180 degrees");
   }
-  camera.Resolution = node.At("resolution").Resolution();
+  camera.resolution = node.at("resolution").resolution();
   return camera;
 }
 }  // namespace
 
-Sight ReadSight(const Node& node)
+Sight readSight(const JsonCursor& node)
 {
   Sight sight;
-  sight.Position = node.At("position").Vector();
-  sight.Target = node.At("target").Vector();
-  const Vector3 view = Subtract(sight.Target, sight.Position);
-  if (Norm(view) == 0.0)
+  sight.position = node.at("position").vector();
+  sight.target = node.at("target").vector();
+  const Vector3 view = sight.target - sight.position;
+  if (norm(view) == 0.0)
   {
-    node.At("target").Fail("the target is the position; expected another point");
+    node.at("target").fail("the target is the position; expected another point");
   }
-  if (const auto up = node.Find("up"))
+  if (const auto up = node.find("up"))
   {
-    sight.Up = up->NonZeroVector();
+    sight.up = up->nonZeroVector();
   }
-  if (!(Norm(Cross(view, sight.Up)) > 1e-9 * Norm(view) * Norm(sight.Up)))
+  if (!(norm(cross(view, sight.up)) > 1e-9 * norm(view) * norm(sight.up)))
   {
-    node.Fail("\"up\" ([0, 0, 1] if absent) is parallel to the view; expected another direction");
+    node.fail("\"up\" ([0, 0, 1] if absent) is parallel to the view; expected another direction");
   }
   return sight;
 }
 
-std::vector<Camera> ReadCameras(const Node& scene, std::set<std::string>& names)
+std::vector<Camera> readCameras(const JsonCursor& scene, std::set<std::string>& names)
 {
   std::vector<Camera> cameras;
-  const auto section = scene.Find("cameras");
-  for (const Node& node : section ? section->Items() : std::vector<Node>())
+  const auto section = scene.find("cameras");
+  for (const JsonCursor& node : section ? section->items() : std::vector<JsonCursor>())
   {
-    cameras.push_back(ReadCamera(node));
-    if (!names.insert(cameras.back().Name).second)
+    cameras.push_back(readCamera(node));
+    if (!names.insert(cameras.back().name).second)
     {
-      node.Fail("another receiver or camera has this name; expected a name of its own, as results are named after it");
+      node.fail("another receiver or camera has this name; expected a name of its own, as results are named after it");
     }
   }
   return cameras;

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "../model/Names.h"
-#include "ErrorCatcher.h"
-#include "FilePaths.h"
-#include "SceneError.h"
+#include "../base/ErrorCatcher.h"
+#include "../base/FilePaths.h"
+#include "../base/InputError.h"
+#include "../base/Names.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
@@ -25,49 +25,49 @@ namespace kalos::scene
 {
 namespace
 {
-int ReadDistribution(const Node& node)
+int readDistribution(const JsonCursor& node)
 {
-  const std::string name = node.String();
+  const std::string name = node.string();
   if (name != "isotropic" && name != "lambertian")
   {
-    node.FailExpected("\"isotropic\" or \"lambertian\"");
+    node.failExpected("\"isotropic\" or \"lambertian\"");
   }
   return name == "isotropic" ? vtkKalosLuminaireSource::ISOTROPIC : vtkKalosLuminaireSource::LAMBERTIAN;
 }
 
-void ReadPoint(const Node& node, vtkKalosLuminaireSource* source)
+void readPoint(const JsonCursor& node, vtkKalosLuminaireSource* source)
 {
   source->SetShape(vtkKalosLuminaireSource::POINT);
-  source->SetPosition(node.At("position").Vector().data());
-  source->SetDistribution(ReadDistribution(node.At("distribution")));
-  const auto aim = node.Find("aim");
+  source->SetPosition(node.at("position").vector().data());
+  source->SetDistribution(readDistribution(node.at("distribution")));
+  const auto aim = node.find("aim");
   if (aim)
   {
-    source->SetAim(aim->NonZeroVector().data());
+    source->SetAim(aim->nonZeroVector().data());
   }
   else if (source->GetDistribution() != vtkKalosLuminaireSource::ISOTROPIC)
   {
-    node.Fail("the key \"aim\" is missing");
+    node.fail("the key \"aim\" is missing");
   }
 }
 
-void ReadRectangle(const Node& node, vtkKalosLuminaireSource* source)
+void readRectangle(const JsonCursor& node, vtkKalosLuminaireSource* source)
 {
-  const Node rectangle = node.At("rectangle");
-  rectangle.CheckKeys({"center", "u", "v"});
+  const JsonCursor rectangle = node.at("rectangle");
+  rectangle.checkKeys({"center", "u", "v"});
   source->SetShape(vtkKalosLuminaireSource::RECTANGLE);
-  source->SetPosition(rectangle.At("center").Vector().data());
-  source->SetSideU(rectangle.At("u").Vector().data());
-  source->SetSideV(rectangle.At("v").Vector().data());
-  source->SetAim(node.At("aim").NonZeroVector().data());
-  const auto distribution = node.Find("distribution");
-  if (distribution && ReadDistribution(*distribution) != vtkKalosLuminaireSource::LAMBERTIAN)
+  source->SetPosition(rectangle.at("center").vector().data());
+  source->SetSideU(rectangle.at("u").vector().data());
+  source->SetSideV(rectangle.at("v").vector().data());
+  source->SetAim(node.at("aim").nonZeroVector().data());
+  const auto distribution = node.find("distribution");
+  if (distribution && readDistribution(*distribution) != vtkKalosLuminaireSource::LAMBERTIAN)
   {
-    distribution->FailExpected("\"lambertian\", the only one of a rectangle");
+    distribution->failExpected("\"lambertian\", the only one of a rectangle");
   }
 }
 
-void AddWarning(vtkStringArray* warnings, const std::string& code, const std::string& file, const std::string& text)
+void addWarning(vtkStringArray* warnings, const std::string& code, const std::string& file, const std::string& text)
 {
   for (const std::string& part : {code, file, text})
   {
@@ -76,66 +76,66 @@ void AddWarning(vtkStringArray* warnings, const std::string& code, const std::st
 }
 
 /** A luminaire of a photometric file; each file's warnings are told once. */
-vtkSmartPointer<vtkPolyData> ReadMeasured(const Node& node, const std::string& folder, std::set<std::string>& told,
-                                          vtkStringArray* warnings, Notes& notes)
+vtkSmartPointer<vtkPolyData> readMeasured(const JsonCursor& node, const std::string& folder,
+                                          std::set<std::string>& told, vtkStringArray* warnings, Notes& notes)
 {
-  node.CheckKeys({"name", "position", "aim", "rotation_deg", "flux", "file", "lamp_set"});
-  const std::string path = ResolvePath(folder, node.At("file").String(), notes);
+  node.checkKeys({"name", "position", "aim", "rotation_deg", "flux", "file", "lamp_set"});
+  const std::string path = resolvePath(folder, node.at("file").string(), notes);
   vtkNew<vtkKalosPhotometryReader> reader;
   reader->SetFileName(path.c_str());
-  reader->SetName(node.Name());
-  reader->SetPosition(node.At("position").Vector().data());
-  reader->SetAim(node.At("aim").NonZeroVector().data());
-  if (const auto rotation = node.Find("rotation_deg"))
+  reader->SetName(node.name());
+  reader->SetPosition(node.at("position").vector().data());
+  reader->SetAim(node.at("aim").nonZeroVector().data());
+  if (const auto rotation = node.find("rotation_deg"))
   {
-    reader->SetRotationDegrees(rotation->Number());
+    reader->SetRotationDegrees(rotation->number());
   }
-  if (const auto flux = node.Find("flux"))
+  if (const auto flux = node.find("flux"))
   {
-    reader->SetFlux(flux->NumberAbove(0.0));
+    reader->SetFlux(flux->numberAbove(0.0));
   }
-  if (const auto lampSet = node.Find("lamp_set"))
+  if (const auto lampSet = node.find("lamp_set"))
   {
-    reader->SetLampSet(lampSet->Integer(1, 20));
+    reader->SetLampSet(lampSet->integer(1, 20));
   }
   ErrorCatcher errors(reader, true);
   reader->Update();
-  if (!errors.Empty())
+  if (!errors.empty())
   {
-    const std::string text = errors.FirstLine();
+    const std::string text = errors.firstLine();
     const std::size_t where = path.size() + 2, end = text.find(": ", where);
-    throw SceneError(path, text.substr(where, end - where), text.substr(end + 2));
+    throw InputError(path, text.substr(where, end - where), text.substr(end + 2));
   }
   for (int i = 0; i < reader->GetNumberOfWarnings() && told.count(path) == 0; ++i)
   {
-    AddWarning(warnings, reader->GetWarningCode(i), path, reader->GetWarning(i));
+    addWarning(warnings, reader->GetWarningCode(i), path, reader->GetWarning(i));
   }
   told.insert(path);
   return vtkPolyData::SafeDownCast(reader->GetOutputDataObject(3));
 }
 
-vtkSmartPointer<vtkPolyData> ReadLuminaire(const Node& node)
+vtkSmartPointer<vtkPolyData> readLuminaire(const JsonCursor& node)
 {
-  node.CheckKeys({"name", "position", "rectangle", "aim", "rotation_deg", "flux", "distribution", "file", "lamp_set"});
-  if (node.Has("position") == node.Has("rectangle"))
+  node.checkKeys({"name", "position", "rectangle", "aim", "rotation_deg", "flux", "distribution", "file", "lamp_set"});
+  if (node.has("position") == node.has("rectangle"))
   {
-    node.Fail("expected either \"position\" or \"rectangle\"");
+    node.fail("expected either \"position\" or \"rectangle\"");
   }
   vtkNew<vtkKalosLuminaireSource> source;
-  source->SetName(node.Name());
-  source->SetFlux(node.At("flux").NumberAtLeast(0.0));
-  if (const auto rotation = node.Find("rotation_deg"))
+  source->SetName(node.name());
+  source->SetFlux(node.at("flux").numberAtLeast(0.0));
+  if (const auto rotation = node.find("rotation_deg"))
   {
-    source->SetRotationDegrees(rotation->Number());
+    source->SetRotationDegrees(rotation->number());
   }
-  node.Has("position") ? ReadPoint(node, source) : ReadRectangle(node, source);
+  node.has("position") ? readPoint(node, source) : readRectangle(node, source);
 
   ErrorCatcher errors(source);
   source->Update();
-  if (!errors.Empty())
+  if (!errors.empty())
   {
-    const std::string text = errors.FirstLine();
-    node.Fail(text.substr(text.find("': ") + 3));
+    const std::string text = errors.firstLine();
+    node.fail(text.substr(text.find("': ") + 3));
   }
   return source->GetOutput();
 }
@@ -150,14 +150,14 @@ public:
   }
 
   /** The Distribution of a luminaire in the common numbering. */
-  int Add(vtkPolyData* one)
+  int add(vtkPolyData* one)
   {
     auto* table =
         vtkDoubleArray::SafeDownCast(one->GetFieldData()->GetArray((vtkKalosArrayNames::CandelaTable + Zero).c_str()));
     const int pole = static_cast<int>(one->GetFieldData()->GetArray(vtkKalosArrayNames::CandelaPoles)->GetTuple1(0));
     for (std::size_t k = 0; k < this->All.size(); ++k)
     {
-      if (this->Poles->GetValue(static_cast<vtkIdType>(k)) == pole && Equal(this->All[k], table))
+      if (this->Poles->GetValue(static_cast<vtkIdType>(k)) == pole && equal(this->All[k], table))
       {
         return 2 + static_cast<int>(k);
       }
@@ -174,7 +174,7 @@ public:
   }
 
 private:
-  static bool Equal(vtkDoubleArray* a, vtkDoubleArray* b)
+  static bool equal(vtkDoubleArray* a, vtkDoubleArray* b)
   {
     const vtkIdType count = a->GetNumberOfValues();
     return b->GetNumberOfValues() == count && std::equal(a->GetPointer(0), a->GetPointer(0) + count, b->GetPointer(0));
@@ -187,12 +187,12 @@ private:
 };
 
 /** Add one luminaire to all. */
-void Append(vtkPolyData* all, vtkPolyData* one, Tables& tables)
+void append(vtkPolyData* all, vtkPolyData* one, Tables& tables)
 {
   vtkDataArray* distribution = one->GetPointData()->GetArray(vtkKalosArrayNames::Distribution);
   if (distribution->GetTuple1(0) == vtkKalosLuminaireSource::MEASURED)
   {
-    distribution->SetTuple1(0, tables.Add(one));
+    distribution->SetTuple1(0, tables.add(one));
   }
   const vtkIdType id = all->GetPoints()->InsertNextPoint(one->GetPoint(0));
   all->InsertNextCell(VTK_VERTEX, 1, &id);
@@ -209,7 +209,7 @@ void Append(vtkPolyData* all, vtkPolyData* one, Tables& tables)
 }
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string& folder,
+vtkSmartPointer<vtkPolyData> readLuminaires(const JsonCursor& scene, const std::string& folder,
                                             const std::vector<ModelLight>& lights, const Ball& lit, Notes& notes)
 {
   auto all = vtkSmartPointer<vtkPolyData>::New();
@@ -224,23 +224,23 @@ vtkSmartPointer<vtkPolyData> ReadLuminaires(const Node& scene, const std::string
   warnings->SetNumberOfComponents(3);
   all->GetFieldData()->AddArray(warnings);
   Tables tables(all);
-  const auto section = scene.Find("luminaires");
-  for (const Node& node : section ? section->Items() : std::vector<Node>())
+  const auto section = scene.find("luminaires");
+  for (const JsonCursor& node : section ? section->items() : std::vector<JsonCursor>())
   {
-    const auto one = node.Has("file") ? ReadMeasured(node, folder, told, warnings, notes) : ReadLuminaire(node);
-    if (!names.insert(node.Name()).second)
+    const auto one = node.has("file") ? readMeasured(node, folder, told, warnings, notes) : readLuminaire(node);
+    if (!names.insert(node.name()).second)
     {
-      node.Fail("another luminaire has this name; expected a name of its own");
+      node.fail("another luminaire has this name; expected a name of its own");
     }
-    Append(all, one, tables);
+    append(all, one, tables);
   }
   const std::set<std::string> own = names;
   for (ModelLight light : lights)
   {
-    if (own.count(light.Name) == 0)
+    if (own.count(light.name) == 0)
     {
-      light.Name = FreeName(light.Name, "light", names);
-      Append(all, MakeModelLuminaire(light, lit), tables);
+      light.name = freeName(light.name, "light", names);
+      append(all, makeModelLuminaire(light, lit), tables);
     }
   }
   return all;

@@ -1,92 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneMaterials.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace kalos::scene
 {
 namespace
 {
-bool IsFraction(double value)
+Material readMaterial(const JsonCursor& node)
 {
-  return value >= 0.0 && value < 1.0;
-}
-
-Material ReadMaterial(const Node& node)
-{
-  node.CheckKeys({"reflectance", "specular", "roughness", "mirror", "exitance"});
+  node.checkKeys({"reflectance", "specular", "roughness", "mirror", "exitance"});
   Material material;
-  material.Reflectance = node.At("reflectance").Bands(1.0);
-  if (const auto specular = node.Find("specular"))
+  material.reflectance = node.at("reflectance").bands(1.0);
+  if (const auto specular = node.find("specular"))
   {
-    material.Specular = specular->Fraction();
+    material.specular = specular->fraction();
   }
-  if (const auto roughness = node.Find("roughness"))
+  if (const auto roughness = node.find("roughness"))
   {
-    material.Roughness = roughness->Number();
-    if (!(material.Roughness > 0.0 && material.Roughness <= 1.0))
+    material.roughness = roughness->number();
+    if (!(material.roughness > 0.0 && material.roughness <= 1.0))
     {
-      roughness->FailExpected("a number above 0 and at most 1 (a perfect mirror is \"mirror\")");
+      roughness->failExpected("a number above 0 and at most 1 (a perfect mirror is \"mirror\")");
     }
   }
-  if (const auto mirror = node.Find("mirror"))
+  if (const auto mirror = node.find("mirror"))
   {
-    material.Mirror = mirror->Fraction();
+    material.mirror = mirror->fraction();
   }
-  if (const auto exitance = node.Find("exitance"))
+  if (const auto exitance = node.find("exitance"))
   {
-    material.Exitance = exitance->Bands();
+    material.exitance = exitance->bands();
   }
-  if (material.Specular > 0.0 && !node.Has("roughness"))
+  if (material.specular > 0.0 && !node.has("roughness"))
   {
-    node.Fail("\"specular\" without \"roughness\"; expected both");
+    node.fail("\"specular\" without \"roughness\"; expected both");
   }
-  const std::string problem = CheckMaterial(material);
+  const std::string problem = checkMaterial(material);
   if (!problem.empty())
   {
-    node.Fail(problem);
+    node.fail(problem);
   }
   return material;
 }
 }  // namespace
 
-std::string CheckMaterial(const Material& material)
-{
-  const std::vector<double>& diffuse = material.Reflectance;
-  if (!std::all_of(diffuse.begin(), diffuse.end(), IsFraction))
-  {
-    return "the reflectance is out of range; expected at least 0 and below 1";
-  }
-  if (!IsFraction(material.Specular) || !IsFraction(material.Mirror))
-  {
-    return "the specular or mirror reflectance is out of range; expected at least 0 and below 1";
-  }
-  if (!(material.Roughness > 0.0 && material.Roughness <= 1.0))
-  {
-    return "the roughness is out of range; expected above 0 and at most 1";
-  }
-  const std::vector<double>& exitance = material.Exitance;
-  if (!std::all_of(exitance.begin(), exitance.end(), [](double m) { return std::isfinite(m) && m >= 0.0; }))
-  {
-    return "the exitance is negative or not finite; expected at least 0 lm/m2";
-  }
-  const double most = *std::max_element(diffuse.begin(), diffuse.end());
-  if (!(most + material.Specular + material.Mirror < 1.0))
-  {
-    return "reflectance + specular + mirror reach 1; expected a sum below 1";
-  }
-  return {};
-}
-
-Materials ReadMaterials(const Node& scene)
+Materials readMaterials(const JsonCursor& scene)
 {
   Materials materials;
-  if (const auto section = scene.Find("materials"))
+  if (const auto section = scene.find("materials"))
   {
-    for (const auto& [name, node] : section->Members())
+    for (const auto& [name, node] : section->members())
     {
-      materials[name] = ReadMaterial(node);
+      materials[name] = readMaterial(node);
     }
   }
   return materials;

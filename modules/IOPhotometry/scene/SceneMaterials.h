@@ -3,31 +3,13 @@
 #ifndef KalosSceneMaterials_h
 #define KalosSceneMaterials_h
 
-#include <map>
-#include <string>
-#include <vector>
-
-#include "SceneJson.h"
+#include "../base/JsonCursor.h"
+#include "../material/Material.h"
 
 namespace kalos::scene
 {
-/** Of one polygon. Reflectance and Exitance have 1 or n components, one a band. */
-struct Material
-{
-  std::vector<double> Reflectance{0.0};  ///< diffuse, [0,1)
-  std::vector<double> Exitance{0.0};     ///< lm/m²
-  double Specular = 0.0;                 ///< normal-incidence reflectance of the glossy lobe, [0,1)
-  double Roughness = 1.0;                ///< GGX roughness, (0,1]
-  double Mirror = 0.0;                   ///< [0,1)
-};
-
-using Materials = std::map<std::string, Material>;
-
 /** Read the object "materials"; the sum of the three reflectances stays below 1 in every band. */
-Materials ReadMaterials(const Node& scene);
-
-/** Empty if all numbers are in range, else what is wrong and what is expected. */
-std::string CheckMaterial(const Material& material);
+Materials readMaterials(const JsonCursor& scene);
 }  // namespace kalos::scene
 
 #endif

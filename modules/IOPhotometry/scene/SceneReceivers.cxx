@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "ErrorCatcher.h"
-#include "FilePaths.h"
+#include "../base/ErrorCatcher.h"
+#include "../base/FilePaths.h"
 #include "ProbeFile.h"
 #include "SceneCameras.h"
 #include "SurfaceReceivers.h"
@@ -23,100 +23,101 @@ namespace kalos::scene
 {
 namespace
 {
-bool ReadFlip(const Node& node)
+bool readFlip(const JsonCursor& node)
 {
-  const auto flip = node.Find("flip");
-  return flip && flip->Boolean();
+  const auto flip = node.find("flip");
+  return flip && flip->boolean();
 }
 
-std::array<int, 2> ReadGrid(const Node& plane)
+std::array<int, 2> readGrid(const JsonCursor& plane)
 {
-  const auto spacing = plane.Find("spacing");
+  const auto spacing = plane.find("spacing");
   if (!spacing)
   {
-    return plane.At("resolution").Resolution();
+    return plane.at("resolution").resolution();
   }
-  if (plane.Has("resolution"))
+  if (plane.has("resolution"))
   {
-    spacing->Fail("\"resolution\" is given as well; expected one of them");
+    spacing->fail("\"resolution\" is given as well; expected one of them");
   }
-  if (spacing->String() != "EN 12464-1")
+  if (spacing->string() != "EN 12464-1")
   {
-    spacing->FailExpected("\"EN 12464-1\"");
+    spacing->failExpected("\"EN 12464-1\"");
   }
-  const auto cells = StandardGrid(Norm(plane.At("u").Vector()), Norm(plane.At("v").Vector()));
+  const auto cells = standardGrid(norm(plane.at("u").vector()), norm(plane.at("v").vector()));
   if (!cells)
   {
-    plane.Fail("too long or too narrow for the grid of EN 12464-1; expected a \"resolution\"");
+    plane.fail("too long or too narrow for the grid of EN 12464-1; expected a \"resolution\"");
   }
   return *cells;
 }
 
-vtkSmartPointer<vtkPolyData> ReadPlane(const Node& receiver, std::int64_t most)
+vtkSmartPointer<vtkPolyData> readPlane(const JsonCursor& receiver, std::int64_t most)
 {
-  receiver.CheckKeys({"name", "plane", "flip"});
-  const Node node = receiver.At("plane");
-  node.CheckKeys({"origin", "u", "v", "resolution", "spacing", "flip"});
-  if (node.Has("flip") && receiver.Has("flip"))
+  receiver.checkKeys({"name", "plane", "flip"});
+  const JsonCursor node = receiver.at("plane");
+  node.checkKeys({"origin", "u", "v", "resolution", "spacing", "flip"});
+  if (node.has("flip") && receiver.has("flip"))
   {
-    receiver.At("flip").Fail("\"flip\" is given twice; expected once");
+    receiver.at("flip").fail("\"flip\" is given twice; expected once");
   }
   vtkNew<vtkKalosCalculationPlane> plane;
-  plane->SetOrigin(node.At("origin").Vector().data());
-  plane->SetU(node.At("u").Vector().data());
-  plane->SetV(node.At("v").Vector().data());
-  const std::array<int, 2> grid = ReadGrid(node);
+  plane->SetOrigin(node.at("origin").vector().data());
+  plane->SetU(node.at("u").vector().data());
+  plane->SetV(node.at("v").vector().data());
+  const std::array<int, 2> grid = readGrid(node);
   if (std::int64_t{grid[0]} * grid[1] > most)
   {
-    node.FailExpected(FewerReceivers(most));
+    node.failExpected(fewerReceivers(most));
   }
   plane->SetResolution(grid.data());
-  plane->SetFlip(ReadFlip(node) || ReadFlip(receiver));
+  plane->SetFlip(readFlip(node) || readFlip(receiver));
   ErrorCatcher errors(plane);
   plane->Update();
-  if (!errors.Empty())
+  if (!errors.empty())
   {
-    node.Fail(errors.FirstLine());
+    node.fail(errors.firstLine());
   }
   return plane->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> ReadSurface(const Node& receiver, const std::vector<Surface>& surfaces, std::int64_t most)
+vtkSmartPointer<vtkPolyData> readSurface(const JsonCursor& receiver, const std::vector<Surface>& surfaces,
+                                         std::int64_t most)
 {
-  receiver.CheckKeys({"name", "surface", "edge_length", "flip"});
-  const Node node = receiver.At("surface");
-  const std::string name = node.String();
-  const auto found = std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& s) { return s.Name == name; });
+  receiver.checkKeys({"name", "surface", "edge_length", "flip"});
+  const JsonCursor node = receiver.at("surface");
+  const std::string name = node.string();
+  const auto found = std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& s) { return s.name == name; });
   if (found == surfaces.end())
   {
-    node.FailExpected("the name of one of \"surfaces\"");
+    node.failExpected("the name of one of \"surfaces\"");
   }
-  const Node length = receiver.At("edge_length");
+  const JsonCursor length = receiver.at("edge_length");
   try
   {
-    return MakeSurfaceReceivers(found->Polygons, length.NumberAbove(0.0), ReadFlip(receiver), most);
+    return makeSurfaceReceivers(found->polygons, length.numberAbove(0.0), readFlip(receiver), most);
   }
   catch (const std::length_error& error)
   {
-    length.FailExpected(error.what());
+    length.failExpected(error.what());
   }
 }
 
-/** One eye: a point whose normal is the line of sight. */
-vtkSmartPointer<vtkPolyData> ReadObserver(const Node& receiver)
+/** An observer: a point whose normal is the line of sight. */
+vtkSmartPointer<vtkPolyData> readObserver(const JsonCursor& receiver)
 {
-  receiver.CheckKeys({"name", "observer"});
-  const Node node = receiver.At("observer");
-  node.CheckKeys({"position", "target", "up"});
-  const Sight sight = ReadSight(node);
+  receiver.checkKeys({"name", "observer"});
+  const JsonCursor node = receiver.at("observer");
+  node.checkKeys({"position", "target", "up"});
+  const Sight sight = readSight(node);
   auto observer = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  const vtkIdType id = points->InsertNextPoint(sight.Position.data());
+  const vtkIdType id = points->InsertNextPoint(sight.position.data());
   observer->SetPoints(points);
   observer->AllocateExact(1, 1);
   observer->InsertNextCell(VTK_VERTEX, 1, &id);
-  const Vector3 view = Subtract(sight.Target, sight.Position);
+  const Vector3 view = sight.target - sight.position;
   const auto vector = [](const char* name, const Vector3& v) {
     auto array = vtkSmartPointer<vtkDoubleArray>::New();
     array->SetName(name);
@@ -124,46 +125,46 @@ vtkSmartPointer<vtkPolyData> ReadObserver(const Node& receiver)
     array->InsertNextTuple(v.data());
     return array;
   };
-  observer->GetPointData()->SetNormals(vector("Normals", Scale(1.0 / Norm(view), view)));
-  observer->GetPointData()->AddArray(vector(vtkKalosArrayNames::ObserverUp, sight.Up));
+  observer->GetPointData()->SetNormals(vector("Normals", 1.0 / norm(view) * view));
+  observer->GetPointData()->AddArray(vector(vtkKalosArrayNames::ObserverUp, sight.up));
   return observer;
 }
 
-vtkSmartPointer<vtkPolyData> ReadReceiver(const Node& node, const std::vector<Surface>& surfaces,
+vtkSmartPointer<vtkPolyData> readReceiver(const JsonCursor& node, const std::vector<Surface>& surfaces,
                                           const std::string& folder, std::int64_t most, Notes& notes)
 {
   const int kinds =
-      int(node.Has("plane")) + int(node.Has("points")) + int(node.Has("surface")) + int(node.Has("observer"));
+      int(node.has("plane")) + int(node.has("points")) + int(node.has("surface")) + int(node.has("observer"));
   if (kinds != 1)
   {
-    node.Fail(std::to_string(kinds) +
+    node.fail(std::to_string(kinds) +
               " kinds of receiver; expected one of \"plane\", \"points\", \"surface\" and \"observer\"");
   }
-  if (node.Has("plane"))
+  if (node.has("plane"))
   {
-    return ReadPlane(node, most);
+    return readPlane(node, most);
   }
-  if (node.Has("surface"))
+  if (node.has("surface"))
   {
-    return ReadSurface(node, surfaces, most);
+    return readSurface(node, surfaces, most);
   }
-  if (node.Has("observer"))
+  if (node.has("observer"))
   {
-    return ReadObserver(node);
+    return readObserver(node);
   }
-  node.CheckKeys({"name", "points"});
-  const Node points = node.At("points");
-  return ReadProbeFile(points, ResolvePath(folder, points.String(), notes), most);
+  node.checkKeys({"name", "points"});
+  const JsonCursor points = node.at("points");
+  return readProbeFile(points, resolvePath(folder, points.string(), notes), most);
 }
 }  // namespace
 
-std::string FewerReceivers(std::int64_t most)
+std::string fewerReceivers(std::int64_t most)
 {
   return "at most " + std::to_string(most) + " receivers, as all sets of a scene together may have " +
          std::to_string(MaximumReceivers);
 }
 
-std::optional<std::array<int, 2>> StandardGrid(double u, double v)
+std::optional<std::array<int, 2>> standardGrid(double u, double v)
 {
   const double longer = std::max(u, v), shorter = std::min(u, v);
   const double spacing = std::min(10.0, 0.2 * std::pow(5.0, std::log10(longer < 2.0 * shorter ? longer : shorter)));
@@ -180,22 +181,22 @@ std::optional<std::array<int, 2>> StandardGrid(double u, double v)
   return cells;
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> ReadReceivers(const Node& scene, const std::vector<Surface>& surfaces,
+vtkSmartPointer<vtkMultiBlockDataSet> readReceivers(const JsonCursor& scene, const std::vector<Surface>& surfaces,
                                                     const std::string& folder, std::set<std::string>& names,
                                                     Notes& notes)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   std::int64_t left = MaximumReceivers;
-  const auto section = scene.Find("receivers");
-  for (const Node& node : section ? section->Items() : std::vector<Node>())
+  const auto section = scene.find("receivers");
+  for (const JsonCursor& node : section ? section->items() : std::vector<JsonCursor>())
   {
     const unsigned int block = blocks->GetNumberOfBlocks();
-    const auto data = ReadReceiver(node, surfaces, folder, left, notes);
+    const auto data = readReceiver(node, surfaces, folder, left, notes);
     left -= data->GetNumberOfCells();  // vertices are cells too
-    const std::string name = node.Name();
+    const std::string name = node.name();
     if (!names.insert(name).second)
     {
-      node.Fail("another receiver or camera has this name; expected a name of its own, as results are named after it");
+      node.fail("another receiver or camera has this name; expected a name of its own, as results are named after it");
     }
     blocks->SetBlock(block, data);
     blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name.c_str());

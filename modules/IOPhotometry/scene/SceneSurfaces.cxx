@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <set>
 
+#include "../base/InputError.h"
 #include "../model/ModelFile.h"
-#include "../model/Names.h"
-#include "FilePaths.h"
-#include "MeshFile.h"
-#include "SceneError.h"
+#include "SceneModels.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -23,178 +21,73 @@ namespace kalos::scene
 {
 namespace
 {
-Mesh ReadQuad(const Node& node)
+Mesh readQuad(const JsonCursor& node)
 {
-  node.CheckKeys({"origin", "u", "v"});
-  const Mesh quad = MakeQuad(node.At("origin").Vector(), node.At("u").Vector(), node.At("v").Vector());
-  // The mesh check names a face; here the quad itself is the better place.
-  const double sides = Norm(node.At("u").Vector()) * Norm(node.At("v").Vector());
-  if (!(Norm(quad.Area(0)) > 1e-12 * sides))
+  node.checkKeys({"origin", "u", "v"});
+  const Mesh quad = makeQuad(node.at("origin").vector(), node.at("u").vector(), node.at("v").vector());
+  // The mesh check would name a face; the key of the quad is more helpful.
+  const double sides = norm(node.at("u").vector()) * norm(node.at("v").vector());
+  if (!(norm(quad.area(0)) > 1e-12 * sides))
   {
-    node.Fail("no area; expected u and v that are neither zero nor parallel");
+    node.fail("no area; expected u and v that are neither zero nor parallel");
   }
   return quad;
 }
 
-Mesh ReadBox(const Node& node)
+Mesh readBox(const JsonCursor& node)
 {
-  node.CheckKeys({"center", "size", "rotation_z_deg"});
-  const Vector3 size = node.At("size").Vector();
+  node.checkKeys({"center", "size", "rotation_z_deg"});
+  const Vector3 size = node.at("size").vector();
   if (!std::all_of(size.begin(), size.end(), [](double s) { return s > 0.0; }))
   {
-    node.At("size").FailExpected("three lengths above 0 m");
+    node.at("size").failExpected("three lengths above 0 m");
   }
-  const auto rotation = node.Find("rotation_z_deg");
-  return MakeBox(node.At("center").Vector(), size, rotation ? rotation->Number() : 0.0);
+  const auto rotation = node.find("rotation_z_deg");
+  return makeBox(node.at("center").vector(), size, rotation ? rotation->number() : 0.0);
 }
 
-const Material* FindMaterial(const Node& surface, const Materials& materials)
+Mesh readPolygons(const JsonCursor& node, const Materials& materials, const std::string& folder, Notes& notes)
 {
-  const auto node = surface.Find("material");
-  if (!node)
-  {
-    return nullptr;
-  }
-  const auto found = materials.find(node->String());
-  if (found == materials.end())
-  {
-    node->FailExpected("the name of one of \"materials\"");
-  }
-  return &found->second;
-}
-
-/** Where the coordinates of a file lie; without keys, glTF has y up and all others z. */
-Transform ReadPlace(const Node& node, const std::string& path)
-{
-  const auto scale = node.Find("scale");
-  const auto up = node.Find("up");
-  const std::string axis = up ? up->String() : IsGltfFile(path) ? "y" : "z";
-  if (axis != "y" && axis != "z")
-  {
-    up->FailExpected("\"y\" or \"z\"");
-  }
-  return UprightPlace(scale ? scale->NumberAbove(0.0) : 1.0, axis == "y");
-}
-
-/** All parts of a model as one mesh. */
-Mesh Join(const Model& model)
-{
-  Mesh mesh;
-  for (const ModelPart& part : model.Parts)
-  {
-    const Mesh& from = part.Polygons;
-    const auto firstPoint = static_cast<std::int64_t>(mesh.Points.size());
-    const auto firstCorner = static_cast<std::int64_t>(mesh.Corners.size());
-    const auto firstMaterial = static_cast<std::int32_t>(mesh.Palette.size());
-    mesh.Points.insert(mesh.Points.end(), from.Points.begin(), from.Points.end());
-    mesh.Palette.insert(mesh.Palette.end(), from.Palette.begin(), from.Palette.end());
-    for (const std::int64_t corner : from.Corners)
-    {
-      mesh.Corners.push_back(firstPoint + corner);
-    }
-    for (std::size_t p = 0; p < from.NumberOfPolygons(); ++p)
-    {
-      mesh.Ends.push_back(firstCorner + from.Ends[p]);
-      mesh.MaterialOf.push_back(firstMaterial + from.MaterialOf[p]);
-    }
-  }
-  return mesh;
-}
-
-Mesh ReadFile(const Node& node, const Materials& materials, const Material* material, const std::string& folder,
-              Notes& notes)
-{
-  const Node file = node.At("file");
-  const std::string path = ResolvePath(folder, file.String(), notes);
-  const Transform place = ReadPlace(node, path);
-  if (IsGltfFile(path))
-  {
-    const Model model = ReadModelFile(file, path, {place, &materials, material});
-    notes.insert(notes.end(), model.Approximations.begin(), model.Approximations.end());
-    return Join(model);
-  }
-  Mesh mesh = ReadMeshFile(file, path, materials, material, notes);
-  for (Vector3& point : mesh.Points)
-  {
-    point = place.Point(point);
-  }
-  return mesh;
-}
-
-Mesh ReadPolygons(const Node& node, const Materials& materials, const std::string& folder, Notes& notes)
-{
-  const int shapes = int(node.Has("quad")) + int(node.Has("box")) + int(node.Has("file"));
+  const int shapes = int(node.has("quad")) + int(node.has("box")) + int(node.has("file"));
   if (shapes != 1)
   {
-    node.Fail(std::to_string(shapes) + " shapes; expected one of \"quad\", \"box\" and \"file\"");
+    node.fail(std::to_string(shapes) + " shapes; expected one of \"quad\", \"box\" and \"file\"");
   }
-  const Material* material = FindMaterial(node, materials);
+  const Material* material = findMaterial(node, materials);
   for (const char* key : {"scale", "up"})
   {
-    if (node.Has(key) && !node.Has("file"))
+    if (node.has(key) && !node.has("file"))
     {
-      node.At(key).Fail("a key of a \"file\"; expected none here");
+      node.at(key).fail("a key of a \"file\"; expected none here");
     }
   }
-  if (node.Has("file"))
+  if (node.has("file"))
   {
-    return ReadFile(node, materials, material, folder, notes);
+    return readSurfaceFile(node, materials, material, folder, notes);
   }
   if (!material)
   {
-    node.Fail("the key \"material\" is missing");
+    node.fail("the key \"material\" is missing");
   }
-  const auto quad = node.Find("quad");
-  Mesh mesh = quad ? ReadQuad(*quad) : ReadBox(node.At("box"));
-  mesh.Palette.push_back(*material);
-  std::fill(mesh.MaterialOf.begin(), mesh.MaterialOf.end(), 0);
+  const auto quad = node.find("quad");
+  Mesh mesh = quad ? readQuad(*quad) : readBox(node.at("box"));
+  mesh.palette.push_back(*material);
+  std::fill(mesh.materialOf.begin(), mesh.materialOf.end(), 0);
   return mesh;
 }
 
-/** A model file whose parts are surfaces under their own names. */
-void AddModel(const Node& node, const Materials& materials, const std::string& folder, std::set<std::string>& names,
-              SceneSurfaces& surfaces)
-{
-  node.CheckKeys({"file", "material", "scale", "up", "lights", "cameras"});
-  const Node file = node.At("file");
-  Notes& notes = surfaces.Approximations;
-  const std::string path = ResolvePath(folder, file.String(), notes);
-  Model model = ReadModelFile(file, path, {ReadPlace(node, path), &materials, FindMaterial(node, materials)});
-  for (ModelPart& part : model.Parts)
-  {
-    const std::string name = FreeName(part.Name, "surface", names);
-    surfaces.All.push_back({name, node.Where() + "." + name, std::move(part.Polygons)});
-  }
-  const auto wanted = [&node](const char* key) { return !node.Has(key) || node.At(key).Boolean(); };
-  if (wanted("lights"))
-  {
-    surfaces.Lights.insert(surfaces.Lights.end(), model.Lights.begin(), model.Lights.end());
-  }
-  if (wanted("cameras"))
-  {
-    surfaces.Cameras.insert(surfaces.Cameras.end(), model.Cameras.begin(), model.Cameras.end());
-  }
-  if (!node.Has("up"))
-  {
-    notes.push_back({"axes", IsGltfFile(path) ? "turned from y up to z up" : "as in the file, z up",
-                     "\"up\" and \"scale\" beside \"file\" in a scene file change it"});
-  }
-  notes.insert(notes.end(), model.Approximations.begin(), model.Approximations.end());
-  surfaces.HasModel = true;
-}
-
-std::size_t NumberOfBands(const std::vector<Surface>& surfaces)
+std::size_t numberOfBands(const std::vector<Surface>& surfaces)
 {
   std::size_t bands = 1;
   for (const Surface& surface : surfaces)
   {
-    for (const Material& material : surface.Polygons.Palette)
+    for (const Material& material : surface.polygons.palette)
     {
-      for (const std::size_t n : {material.Reflectance.size(), material.Exitance.size()})
+      for (const std::size_t n : {material.reflectance.size(), material.exitance.size()})
       {
         if (n > 1 && bands > 1 && n != bands)
         {
-          throw SceneError(surface.Where + ".material", std::to_string(n) + " bands where an earlier material has " +
+          throw InputError(surface.where + ".material", std::to_string(n) + " bands where an earlier material has " +
                                                             std::to_string(bands) + "; expected 1 or the same number");
         }
         bands = std::max(bands, n);
@@ -204,7 +97,7 @@ std::size_t NumberOfBands(const std::vector<Surface>& surfaces)
   return bands;
 }
 
-vtkSmartPointer<vtkDoubleArray> NewCellArray(vtkPolyData* data, const char* name, int components, vtkIdType cells)
+vtkSmartPointer<vtkDoubleArray> newCellArray(vtkPolyData* data, const char* name, int components, vtkIdType cells)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
@@ -215,45 +108,45 @@ vtkSmartPointer<vtkDoubleArray> NewCellArray(vtkPolyData* data, const char* name
 }
 }  // namespace
 
-SceneSurfaces ReadSurfaces(const Node& scene, const Materials& materials, const std::string& folder)
+SceneSurfaces readSurfaces(const JsonCursor& scene, const Materials& materials, const std::string& folder)
 {
   SceneSurfaces surfaces;
   std::set<std::string> names;
-  const auto section = scene.Find("surfaces");
-  for (const Node& node : section ? section->Items() : std::vector<Node>())
+  const auto section = scene.find("surfaces");
+  for (const JsonCursor& node : section ? section->items() : std::vector<JsonCursor>())
   {
-    const auto file = node.Find("file");
-    if (file && !node.Has("name") && IsModelFile(file->String()))
+    const auto file = node.find("file");
+    if (file && !node.has("name") && isModelFile(file->string()))
     {
-      AddModel(node, materials, folder, names, surfaces);
+      addModel(node, materials, folder, names, surfaces);
       continue;
     }
-    node.CheckKeys({"name", "quad", "box", "file", "material", "scale", "up"});
-    Surface surface{node.Name(), node.Where(), ReadPolygons(node, materials, folder, surfaces.Approximations)};
-    if (!names.insert(surface.Name).second)
+    node.checkKeys({"name", "quad", "box", "file", "material", "scale", "up"});
+    Surface surface{node.name(), node.where(), readPolygons(node, materials, folder, surfaces.approximations)};
+    if (!names.insert(surface.name).second)
     {
-      node.Fail("another surface has this name; expected a name of its own");
+      node.fail("another surface has this name; expected a name of its own");
     }
-    surfaces.All.push_back(std::move(surface));
+    surfaces.all.push_back(std::move(surface));
   }
   return surfaces;
 }
 
-vtkSmartPointer<vtkPolyData> MakeSurfaceData(const std::vector<Surface>& surfaces)
+vtkSmartPointer<vtkPolyData> makeSurfaceData(const std::vector<Surface>& surfaces)
 {
-  const auto bands = static_cast<int>(NumberOfBands(surfaces));
+  const auto bands = static_cast<int>(numberOfBands(surfaces));
   vtkIdType cells = 0;
   for (const Surface& surface : surfaces)
   {
-    cells += static_cast<vtkIdType>(surface.Polygons.NumberOfPolygons());
+    cells += static_cast<vtkIdType>(surface.polygons.numberOfPolygons());
   }
 
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  auto reflectance = NewCellArray(data, vtkKalosArrayNames::Reflectance, bands, cells);
-  auto exitance = NewCellArray(data, vtkKalosArrayNames::Exitance, bands, cells);
-  auto specular = NewCellArray(data, vtkKalosArrayNames::Specular, 1, cells);
-  auto roughness = NewCellArray(data, vtkKalosArrayNames::Roughness, 1, cells);
-  auto mirror = NewCellArray(data, vtkKalosArrayNames::Mirror, 1, cells);
+  auto reflectance = newCellArray(data, vtkKalosArrayNames::Reflectance, bands, cells);
+  auto exitance = newCellArray(data, vtkKalosArrayNames::Exitance, bands, cells);
+  auto specular = newCellArray(data, vtkKalosArrayNames::Specular, 1, cells);
+  auto roughness = newCellArray(data, vtkKalosArrayNames::Roughness, 1, cells);
+  auto mirror = newCellArray(data, vtkKalosArrayNames::Mirror, 1, cells);
   vtkNew<vtkIntArray> ids;
   ids->SetName(vtkKalosArrayNames::SurfaceId);
   ids->SetNumberOfTuples(cells);
@@ -268,31 +161,31 @@ vtkSmartPointer<vtkPolyData> MakeSurfaceData(const std::vector<Surface>& surface
   vtkIdType cell = 0;
   for (const Surface& surface : surfaces)
   {
-    const Mesh& mesh = surface.Polygons;
-    const int surfaceId = static_cast<int>(names->InsertNextValue(surface.Name));
+    const Mesh& mesh = surface.polygons;
+    const int surfaceId = static_cast<int>(names->InsertNextValue(surface.name));
     const vtkIdType firstPoint = points->GetNumberOfPoints();
-    for (const Vector3& point : mesh.Points)
+    for (const Vector3& point : mesh.points)
     {
       points->InsertNextPoint(point.data());
     }
-    for (std::size_t p = 0; p < mesh.NumberOfPolygons(); ++p, ++cell)
+    for (std::size_t p = 0; p < mesh.numberOfPolygons(); ++p, ++cell)
     {
-      polygons->InsertNextCell(static_cast<int>(mesh.Ends[p] - mesh.Begin(p)));
-      for (std::int64_t i = mesh.Begin(p); i < mesh.Ends[p]; ++i)
+      polygons->InsertNextCell(static_cast<int>(mesh.ends[p] - mesh.begin(p)));
+      for (std::int64_t i = mesh.begin(p); i < mesh.ends[p]; ++i)
       {
-        polygons->InsertCellPoint(firstPoint + mesh.Corners[i]);
+        polygons->InsertCellPoint(firstPoint + mesh.corners[i]);
       }
-      const Material& material = mesh.Palette[mesh.MaterialOf[p]];
+      const Material& material = mesh.palette[mesh.materialOf[p]];
       for (int b = 0; b < bands; ++b)
       {
-        const std::vector<double>& rho = material.Reflectance;
-        const std::vector<double>& m = material.Exitance;
+        const std::vector<double>& rho = material.reflectance;
+        const std::vector<double>& m = material.exitance;
         reflectance->SetComponent(cell, b, rho[rho.size() == 1 ? 0 : b]);
         exitance->SetComponent(cell, b, m[m.size() == 1 ? 0 : b]);
       }
-      specular->SetValue(cell, material.Specular);
-      roughness->SetValue(cell, material.Roughness);
-      mirror->SetValue(cell, material.Mirror);
+      specular->SetValue(cell, material.specular);
+      roughness->SetValue(cell, material.roughness);
+      mirror->SetValue(cell, material.mirror);
       ids->SetValue(cell, surfaceId);
     }
   }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "SceneReceivers.h"
+#include "mesh/Triangulation.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -19,17 +20,14 @@ namespace
 {
 using Triangle = std::array<Vector3, 3>;
 
-/** Triangles of one polygon, which may be concave. */
-std::vector<Triangle> Triangulate(const Mesh& mesh, std::size_t polygon)
+/** Corner numbers of triangles: of a convex polygon by VTK, which takes the shorter diagonals. */
+std::vector<std::array<std::uint32_t, 3>> cutPolygon(const std::vector<Vector3>& corners)
 {
-  const std::int64_t begin = mesh.Begin(polygon);
-  const auto size = static_cast<int>(mesh.Ends[polygon] - begin);
-  std::vector<Triangle> triangles;
-  const auto corner = [&](vtkIdType i) { return mesh.Points[mesh.Corners[begin + i]]; };
-  if (size == 3)
+  const auto size = static_cast<int>(corners.size());
+  auto triangles = meshing::isConvex(corners) ? std::nullopt : meshing::triangulate(corners);
+  if (triangles)
   {
-    triangles.push_back({corner(0), corner(1), corner(2)});
-    return triangles;
+    return *triangles;
   }
   vtkNew<vtkPolygon> shape;
   shape->GetPoints()->SetDataTypeToDouble();
@@ -38,16 +36,38 @@ std::vector<Triangle> Triangulate(const Mesh& mesh, std::size_t polygon)
   for (int i = 0; i < size; ++i)
   {
     shape->GetPointIds()->SetId(i, i);
-    shape->GetPoints()->SetPoint(i, corner(i).data());
+    shape->GetPoints()->SetPoint(i, corners[i].data());
   }
   vtkNew<vtkIdList> ids;
   shape->Triangulate(ids);
-  const Vector3 normal = mesh.Area(polygon);
+  std::vector<std::array<std::uint32_t, 3>> cut;
   for (vtkIdType i = 0; i + 2 < ids->GetNumberOfIds(); i += 3)
   {
-    Triangle t{corner(ids->GetId(i)), corner(ids->GetId(i + 1)), corner(ids->GetId(i + 2))};
+    const auto number = [&](vtkIdType k) { return static_cast<std::uint32_t>(ids->GetId(i + k)); };
+    cut.push_back({number(0), number(1), number(2)});
+  }
+  return cut;
+}
+
+/** Triangles of one polygon, which may be concave and have holes. */
+std::vector<Triangle> trianglesOf(const Mesh& mesh, std::size_t polygon)
+{
+  std::vector<Vector3> corners;
+  for (std::int64_t i = mesh.begin(polygon); i < mesh.ends[polygon]; ++i)
+  {
+    corners.push_back(mesh.points[mesh.corners[i]]);
+  }
+  if (corners.size() == 3)
+  {
+    return {{corners[0], corners[1], corners[2]}};
+  }
+  const Vector3 normal = mesh.area(polygon);
+  std::vector<Triangle> triangles;
+  for (const auto& [a, b, c] : cutPolygon(corners))
+  {
+    Triangle t{corners[a], corners[b], corners[c]};
     // Ear cutting does not promise the polygon's own winding.
-    if (Dot(Cross(Subtract(t[1], t[0]), Subtract(t[2], t[0])), normal) < 0.0)
+    if (dot(cross(t[1] - t[0], t[2] - t[0]), normal) < 0.0)
     {
       std::swap(t[1], t[2]);
     }
@@ -57,12 +77,12 @@ std::vector<Triangle> Triangulate(const Mesh& mesh, std::size_t polygon)
 }
 
 /** Index of the corner opposite the longest edge, and that edge's length. */
-std::pair<int, double> LongestEdge(const Triangle& t)
+std::pair<int, double> longestEdge(const Triangle& t)
 {
   std::pair<int, double> longest{0, 0.0};
   for (int i = 0; i < 3; ++i)
   {
-    const double length = Norm(Subtract(t[(i + 2) % 3], t[(i + 1) % 3]));
+    const double length = norm(t[(i + 2) % 3] - t[(i + 1) % 3]);
     if (length > longest.second)
     {
       longest = {i, length};
@@ -71,9 +91,9 @@ std::pair<int, double> LongestEdge(const Triangle& t)
   return longest;
 }
 
-[[noreturn]] void FailTooMany(std::int64_t most)
+[[noreturn]] void failTooMany(std::int64_t most)
 {
-  throw std::length_error("a longer edge: " + FewerReceivers(most));
+  throw std::length_error("a longer edge: " + fewerReceivers(most));
 }
 
 class Output
@@ -86,14 +106,14 @@ public:
     this->Normals->SetNumberOfComponents(3);
   }
 
-  void Add(const Triangle& t, bool flip)
+  void add(const Triangle& t, bool flip)
   {
     if (this->Triangles->GetNumberOfCells() >= this->Most)
     {
-      FailTooMany(this->Most);
+      failTooMany(this->Most);
     }
-    const Vector3 area = Cross(Subtract(t[1], t[0]), Subtract(t[2], t[0]));
-    const Vector3 normal = Scale((flip ? -1.0 : 1.0) / Norm(area), area);
+    const Vector3 area = cross(t[1] - t[0], t[2] - t[0]);
+    const Vector3 normal = ((flip ? -1.0 : 1.0) / norm(area)) * area;
     vtkIdType ids[3];
     for (int i = 0; i < 3; ++i)
     {
@@ -103,7 +123,7 @@ public:
     this->Normals->InsertNextTuple(normal.data());
   }
 
-  vtkSmartPointer<vtkPolyData> Data()
+  vtkSmartPointer<vtkPolyData> data()
   {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     data->SetPoints(this->Points);
@@ -120,46 +140,46 @@ private:
 };
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> MakeSurfaceReceivers(const Mesh& mesh, double edgeLength, bool flip, std::int64_t most)
+vtkSmartPointer<vtkPolyData> makeSurfaceReceivers(const Mesh& mesh, double edgeLength, bool flip, std::int64_t most)
 {
-  // No triangle is larger than the equilateral one: tell before the work what cannot work.
+  // The equilateral triangle is the largest one, so a count that is too high is known in advance.
   double area = 0.0;
-  for (std::size_t p = 0; p < mesh.NumberOfPolygons(); ++p)
+  for (std::size_t p = 0; p < mesh.numberOfPolygons(); ++p)
   {
-    area += Norm(mesh.Area(p));
+    area += norm(mesh.area(p));
   }
   if (area > 0.433 * edgeLength * edgeLength * static_cast<double>(most))
   {
-    FailTooMany(most);
+    failTooMany(most);
   }
 
   Output output(most);
-  for (std::size_t p = 0; p < mesh.NumberOfPolygons(); ++p)
+  for (std::size_t p = 0; p < mesh.numberOfPolygons(); ++p)
   {
-    std::vector<Triangle> work = Triangulate(mesh, p);
+    std::vector<Triangle> work = trianglesOf(mesh, p);
     while (!work.empty())
     {
       const Triangle t = work.back();
       work.pop_back();
-      const auto [apex, length] = LongestEdge(t);
+      const auto [apex, length] = longestEdge(t);
       if (length <= edgeLength)
       {
-        output.Add(t, flip);
+        output.add(t, flip);
         continue;
       }
       const Vector3& a = t[apex];
       const Vector3& b = t[(apex + 1) % 3];
       const Vector3& c = t[(apex + 2) % 3];
-      const Vector3 middle = Scale(0.5, Add(b, c));
+      const Vector3 middle = 0.5 * (b + c);
       work.push_back({a, middle, c});
       work.push_back({a, b, middle});
-      // A length below the coordinates' resolution would halve for ever.
+      // Below the resolution of the coordinates, halving would never end.
       if (work.size() > 4096)
       {
         throw std::length_error("a longer edge: this one cannot be reached at these coordinates");
       }
     }
   }
-  return output.Data();
+  return output.data();
 }
 }  // namespace kalos::scene

@@ -11,7 +11,7 @@ namespace kalos
 namespace
 {
 constexpr double rounding = 1e-12;
-constexpr std::size_t mostLookedAt = 4096, mostEmitters = 64;
+constexpr std::size_t mostExamined = 4096, mostEmitters = 64;
 constexpr int rays = 32;
 
 // `values`, or so many of them evenly spread.
@@ -71,46 +71,79 @@ bool hasLightInSight(const Scene& scene, const RayAnchor& here, const std::vecto
   }
   return false;
 }
-}  // namespace
 
-std::vector<AuditLine> auditDarkReceivers(const Scene& scene, const Receivers& receivers, const Result& result)
+// The receivers below `rounding` of the largest value.
+std::vector<std::size_t> darkOnes(const std::vector<double>& values)
 {
-  const std::vector<double>& values = result.illuminance;
-  if (values.empty())
-    return {};
   const double dark = rounding * *std::max_element(values.begin(), values.end());
   std::vector<std::size_t> found;
   for (std::size_t r = 0; r < values.size(); ++r)
     if (values[r] <= dark)
       found.push_back(r);
-  if (found.empty())
-    return {};
-  const std::vector<Emitter> shining = emitters(scene);
-  if (shining.empty())
-    return {};
+  return found;
+}
 
-  const std::vector<std::size_t> some = thinned(found, mostLookedAt);
-  std::vector<std::size_t> cutOff;
+// Which of the receivers `some` have no light in sight, in their order.
+std::vector<std::size_t> cutOffOnes(const Scene& scene, const Receivers& receivers,
+                                    const std::vector<std::size_t>& some, const std::vector<Emitter>& shining)
+{
+  const auto place = [&](std::size_t r) {
+    return placeReceiver(scene, receivers.points[r] - scene.origin(), receivers.normals[r]);
+  };
+  const auto isCutOff = [&](std::size_t r) { return !hasLightInSight(scene, place(r), shining); };
+  const auto see = [&](std::size_t a, std::size_t b) { return !scene.rays().occluded(place(a), place(b)); };
+  const std::vector<std::size_t> examined = thinned(some, mostExamined);
+  std::vector<char> answers;
+  for (const std::size_t r : examined)
+    answers.push_back(isCutOff(r));
+  std::vector<std::size_t> found;
+  std::size_t next = 0;  // of the examined ones, the first that is not before r
   for (const std::size_t r : some)
   {
-    const Vec3 p = receivers.points[r] - scene.origin();
-    if (!hasLightInSight(scene, placeReceiver(scene, p, receivers.normals[r]), shining))
-      cutOff.push_back(r);
+    while (next < examined.size() && examined[next] < r)
+      ++next;
+    bool is = false;
+    if (next < examined.size() && examined[next] == r)
+      is = answers[next];
+    else if (next > 0 && see(r, examined[next - 1]))
+      is = answers[next - 1];
+    else if (next < examined.size() && see(r, examined[next]))
+      is = answers[next];
+    else
+      is = isCutOff(r);
+    if (is)
+      found.push_back(r);
   }
-  const std::string looked =
-      some.size() < found.size() ? " of the " + std::to_string(some.size()) + " that were looked at" : "";
-  std::vector<AuditLine> lines{
-      {"dark receivers", std::to_string(found.size()) + " of " + std::to_string(values.size()),
-       std::to_string(some.size() - cutOff.size()) + looked + " are in full shadow or turned away from the light"}};
+  return found;
+}
+}  // namespace
+
+DarkReceivers findDarkReceivers(const Scene& scene, const Receivers& receivers, const Result& result)
+{
+  const std::vector<double>& values = result.illuminance;
+  DarkReceivers answer{{}, std::vector<char>(values.size(), 1)};
+  if (values.empty())
+    return answer;
+  const std::vector<std::size_t> found = darkOnes(values);
+  const std::vector<Emitter> shining = found.empty() ? std::vector<Emitter>{} : emitters(scene);
+  if (shining.empty())
+    return answer;
+
+  const std::vector<std::size_t> cutOff = cutOffOnes(scene, receivers, found, shining);
+  for (const std::size_t r : cutOff)
+    answer.valid[r] = 0;
+  answer.audit = {{"dark receivers", std::to_string(found.size()) + " of " + std::to_string(values.size()),
+                   std::to_string(found.size() - cutOff.size()) + " are in full shadow or turned away from the light"}};
   if (!cutOff.empty())
   {
     const Vec3& p = receivers.points[cutOff.front()];
     std::ostringstream reason;
-    reason << "0 lx there: outside of a closed room, below a floor or inside a solid? The first is number "
-           << cutOff.front() << " at (" << p.x << ", " << p.y << ", " << p.z << ")";
-    lines.push_back(
-        {"warning", "receivers with nothing lit in sight: " + std::to_string(cutOff.size()) + looked, reason.str()});
+    reason
+        << "outside of a closed room, below a floor or inside a solid; statistics leave them out. The first is number "
+        << cutOff.front() << " at (" << p.x << ", " << p.y << ", " << p.z << ")";
+    answer.audit.push_back(
+        {"warning", "receivers with nothing lit in sight: " + std::to_string(cutOff.size()), reason.str()});
   }
-  return lines;
+  return answer;
 }
 }  // namespace kalos

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // EULUMDAT (.ldt; Stockmar 1990).
 //
-// Warnings: ldt-decimal-comma (read as a point), ldt-negative-lamps (absolute photometry), ldt-light-output-ratio
-// (contradicts the intensities, which are used), ldt-flux (more light than the lamps give), ldt-trailing (text after
-// the last intensity).
+// Warnings: ldt-decimal-comma (read as a point), ldt-digit-groups (2 000 is 2000), ldt-blank (a number that is left
+// out, taken as 0), ldt-negative-lamps (absolute photometry), ldt-light-output-ratio (contradicts the intensities,
+// which are used), ldt-flux (more light than the lamps give), ldt-trailing (text after the last intensity).
 #include "photometry/PhotometryTable.h"
 #include "photometry/PhotometryText.h"
 
@@ -28,9 +28,8 @@ private:
   {
     this->Warnings.push_back({code, this->Text.line(), field, text});
   }
-  double lineNumber(const std::string& field);
-  double size(const std::string& field);  // m, from mm
-  int lineCount(const std::string& field, int low, int high);
+  double size(const std::string& field);  // m, from mm; many leave out what is 0
+  void tellSpelling();
   Opening readOpening();
   double readLampSets();  // lm of the chosen set
   PhotometryRows readRows();
@@ -43,23 +42,9 @@ private:
   std::vector<PhotometryWarning> Warnings;
 };
 
-double EulumdatReader::lineNumber(const std::string& field)
-{
-  const double value = this->Text.readNumber(field);
-  this->Text.endLine();
-  return value;
-}
-
-int EulumdatReader::lineCount(const std::string& field, int low, int high)
-{
-  const int value = this->Text.readCount(field, low, high);
-  this->Text.endLine();
-  return value;
-}
-
 double EulumdatReader::size(const std::string& field)
 {
-  const double value = this->lineNumber(field);
+  const double value = this->Text.readLineNumber(field, 0.0);
   if (!(value >= 0 && value < 1e6))
     this->Text.fail(field, "found " + shortNumber(value) + "; expected millimetres from 0 to a million");
   return value / 1000;
@@ -83,7 +68,7 @@ Opening EulumdatReader::readOpening()
 
 double EulumdatReader::readLampSets()
 {
-  this->SetCount = this->lineCount("number of lamp sets", 1, maxLampSets);
+  this->SetCount = this->Text.readLineCount("number of lamp sets", 1, maxLampSets);
   if (this->Options.lampSet < 1 || this->Options.lampSet > this->SetCount)
     this->Text.fail("number of lamp sets", "there are " + std::to_string(this->SetCount) + ", but set " +
                                                std::to_string(this->Options.lampSet) +
@@ -92,9 +77,9 @@ double EulumdatReader::readLampSets()
   for (int set = 1; set <= this->SetCount; ++set)
   {
     const std::string field = " of lamp set " + std::to_string(set);
-    const int lamps = this->lineCount("number of lamps" + field, -10000, 10000);
+    const int lamps = this->Text.readLineCount("number of lamps" + field, -10000, 10000);
     this->Text.readLine("lamp type" + field);
-    const double lumens = this->lineNumber("luminous flux" + field);
+    const double lumens = this->Text.readLineNumber("luminous flux" + field);
     const int fluxLine = this->Text.line();
     this->Text.readLine("colour temperature" + field);
     this->Text.readLine("colour rendering" + field);
@@ -189,15 +174,25 @@ void EulumdatReader::complete(PhotometryRows& rows)
   rows.mirrorPlanes(this->Symmetry == 3 ? 90 : 180);
 }
 
+void EulumdatReader::tellSpelling()
+{
+  if (const int line = this->Text.decimalComma())
+    this->Warnings.push_back({"ldt-decimal-comma", line, "number", "a decimal comma; read as a point"});
+  if (const int line = this->Text.groupedNumber())
+    this->Warnings.push_back({"ldt-digit-groups", line, "number", "a blank between digits; read as one number"});
+  if (const int line = this->Text.blankNumber())
+    this->Warnings.push_back({"ldt-blank", line, "number", "a blank line; taken as 0"});
+}
+
 PhotometricFile EulumdatReader::read()
 {
   this->Text.readLine("company");
-  this->lineCount("type indicator", 0, 3);
-  this->Symmetry = this->lineCount("symmetry", 0, 4);
-  this->PlaneCount = this->lineCount("number of C planes", 1, maxAngles);
-  this->lineNumber("distance between C planes");
-  this->AngleCount = this->lineCount("number of angles G", 2, maxAngles);
-  this->lineNumber("distance between angles G");
+  this->Text.readLineCount("type indicator", 0, 3);
+  this->Symmetry = this->Text.readLineCount("symmetry", 0, 4);
+  this->PlaneCount = this->Text.readLineCount("number of C planes", 1, maxAngles);
+  this->Text.readLineNumber("distance between C planes", 0.0);
+  this->AngleCount = this->Text.readLineCount("number of angles G", 2, maxAngles);
+  this->Text.readLineNumber("distance between angles G", 0.0);
   this->Text.readLine("report number");
   const std::string name = this->Text.readLine("luminaire name");
   for (const char* field : {"luminaire number", "file name", "date"})
@@ -205,16 +200,16 @@ PhotometricFile EulumdatReader::read()
   for (const char* field : {"length of the luminaire", "width of the luminaire", "height of the luminaire"})
     this->size(field);
   const Opening opening = this->readOpening();
-  this->lineNumber("downward flux fraction");
-  const double ratio = this->lineNumber("light output ratio");
+  this->Text.readLineNumber("downward flux fraction", 0.0);
+  const double ratio = this->Text.readLineNumber("light output ratio", 0.0);
   const int ratioLine = this->Text.line();
-  const double factor = this->lineNumber("conversion factor");
+  const double factor = this->Text.readLineNumber("conversion factor");
   if (!(factor > 0 && factor < 1e9))
     this->Text.fail("conversion factor", "found " + shortNumber(factor) + "; expected a factor above 0");
-  this->lineNumber("tilt during measurement");
+  this->Text.readLineNumber("tilt during measurement", 0.0);
   const double lampFlux = this->readLampSets();
   for (int i = 0; i < 10; ++i)
-    this->lineNumber("direct ratio");
+    this->Text.readLineNumber("direct ratio", 0.0);
 
   PhotometryRows rows = this->readRows();
   const int lastLine = this->Text.line();
@@ -235,9 +230,7 @@ PhotometricFile EulumdatReader::read()
                                   " %; the intensities are used"});
   if (file.lampFlux > 0 && file.table.flux() > 1.01 * lampFlux * factor)
     this->Warnings.push_back({"ldt-flux", lastLine, "candela", "the intensities make more light than the lamps"});
-  if (this->Text.decimalComma())
-    this->Warnings.push_back(
-        {"ldt-decimal-comma", this->Text.decimalComma(), "number", "a decimal comma; read as a point"});
+  this->tellSpelling();
   file.warnings = this->Warnings;
   return file;
 }

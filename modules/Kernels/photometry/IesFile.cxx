@@ -4,7 +4,12 @@
 // Warnings: ies-version (unknown standard, read as 2002), ies-reversed (angles descend), ies-range (a range that the
 // standards do not foresee, and what is taken for it), ies-seam (planes 0 and 360 differ), ies-lamp-lumens (no lumens
 // for relative photometry), ies-future-use (a factor where the standard wants 1), ies-flux (more light than the lamps
-// give), ies-trailing (text after the last intensity).
+// give), ies-trailing (text after the last intensity), ies-opening (a shape that is not flat, or a line),
+// ies-decimal-comma (read as a point).
+#include <algorithm>
+#include <optional>
+
+#include "photometry/IesPlanes.h"
 #include "photometry/PhotometryTable.h"
 #include "photometry/PhotometryText.h"
 
@@ -12,18 +17,18 @@ namespace kalos
 {
 namespace
 {
-constexpr double nearAngle = 0.01;  // degrees; printed angles are rounded
 constexpr int maxAngles = 100000;
-
-bool near(double a, double b)
-{
-  return std::abs(a - b) < nearAngle;
-}
+constexpr double lineWidth = 1e-3;  // of the strip that stands for a line, over its length
 
 class IesReader
 {
 public:
-  IesReader(const std::string& text, const PhotometryOptions& options) : Text(text), Options(options) {}
+  IesReader(const std::string& text, const PhotometryOptions& options, bool decimalCommas)
+      : Text(text), Options(options)
+  {
+    if (decimalCommas)
+      this->Text.allowDecimalCommas();
+  }
   PhotometricFile read();
 
 private:
@@ -31,15 +36,12 @@ private:
   {
     this->Warnings.push_back({code, this->Text.line(), field, text});
   }
+  void readVersion();
   void readKeywords();
   void readTilt(const std::string& line);
   void readTiltTable(PhotometryText& text);
   void readAngles(PhotometryRows& rows);
   void readCandela(PhotometryRows& rows, bool transposed);
-  void completeTypeC(PhotometryRows& rows);
-  void completeTypeA(PhotometryRows& rows);
-  void completeTypeB(PhotometryRows& rows);
-  void checkAngles(const std::vector<double>& angles, const char* field, double low, double high);
   Opening readOpening(double metres);
 
   PhotometryText Text;
@@ -51,37 +53,44 @@ private:
   std::vector<PhotometryWarning> Warnings;
 };
 
-void IesReader::readKeywords()
+void IesReader::readVersion()
 {
   // LM-63-1986 had neither a first line nor keywords: its lines are free text.
-  const std::string first = this->Text.peek(0);
-  if (first.compare(0, 5, "IESNA") == 0 || first.compare(0, 4, "IES:") == 0)
-  {
+  int index = 0;
+  while (index + 1 < this->Text.size() && this->Text.peek(index).empty())
+    ++index;
+  const std::string first = upperCase(this->Text.peek(index));
+  if (!isIesHeader(first))
+    return;
+  for (int i = 0; i <= index; ++i)
     this->Text.readLine("version");
-    this->Year = 2002;
-    bool known = false;
-    for (const auto& [ending, year] :
-         {std::pair{"91", 1991}, {"1986", 1986}, {"1991", 1991}, {"1995", 1995}, {"2002", 2002}, {"2019", 2019}})
+  this->Year = 2002;
+  for (const char* year : {"1986", "1991", "1995", "2002", "2019"})
+  {
+    if (first.find(year) != std::string::npos)
     {
-      const std::string end(ending);
-      if (first.size() >= end.size() && first.compare(first.size() - end.size(), end.size(), end) == 0)
-      {
-        this->Year = year;
-        known = true;
-      }
+      this->Year = std::stoi(year);
+      return;
     }
-    if (!known)
-      this->warn("ies-version", "version", "an LM-63 of no known year; read as LM-63-2002");
   }
+  if (first.size() > 1 && first.compare(first.size() - 2, 2, "91") == 0)
+    this->Year = 1991;
+  else
+    this->warn("ies-version", "version", "an LM-63 of no known year; read as LM-63-2002");
+}
+
+void IesReader::readKeywords()
+{
+  this->readVersion();
   for (;;)
   {
     const std::string line = this->Text.readLine("TILT");
     if (isTiltLine(line))
       return this->readTilt(line.substr(line.find('=') + 1));
-    for (const char* key : {"[LUMINAIRE]", "[LUMCAT]"})
-      if (this->Name.empty() && line.compare(0, std::string(key).size(), key) == 0)
+    for (const std::string key : {"[LUMINAIRE]", "[LUMCAT]"})
+      if (this->Name.empty() && upperCase(line.substr(0, key.size())) == key)
       {
-        const auto begin = line.find_first_not_of(" \t", std::string(key).size());
+        const auto begin = line.find_first_not_of(" \t", key.size());
         this->Name = begin == std::string::npos ? "" : line.substr(begin, 80);
       }
   }
@@ -91,9 +100,9 @@ void IesReader::readTilt(const std::string& value)
 {
   const auto begin = value.find_first_not_of(" \t");
   const std::string name = begin == std::string::npos ? "" : value.substr(begin);
-  if (name == "NONE")
+  if (upperCase(name) == "NONE")
     return;
-  if (name == "INCLUDE")
+  if (upperCase(name) == "INCLUDE")
     return this->readTiltTable(this->Text);
   if (name.empty())
     this->Text.fail("TILT", "no value; expected NONE, INCLUDE or the name of a file");
@@ -125,7 +134,8 @@ void IesReader::readTiltTable(PhotometryText& text)
 
 Opening IesReader::readOpening(double metres)
 {
-  // Negative sizes mark round shapes: LM-63-2002, table 1; one negative size alone is a circle of LM-63-1995.
+  // Negative sizes mark round shapes: LM-63-2002, table 1; one negative size alone is a circle of LM-63-1995, where a
+  // horizontal cylinder has its length and its diameter, negative, as the height.
   const double width = this->Text.readNumber("luminous width") * metres;
   const double length = this->Text.readNumber("luminous length") * metres;
   const double height = this->Text.readNumber("luminous height") * metres;
@@ -137,16 +147,16 @@ Opening IesReader::readOpening(double metres)
   opening.alongC90 = std::abs(width);
   opening.alongC0 = opening.round && length == 0 ? opening.alongC90 : std::abs(length);
   opening.height = std::abs(height);
+  if (!opening.round && (width == 0) != (length == 0))
+  {
+    const bool cylinder = height < 0 && width >= 0 && length >= 0;
+    double& across = width == 0 ? opening.alongC90 : opening.alongC0;
+    across = cylinder ? opening.height : lineWidth * std::max(opening.alongC0, opening.alongC90);
+    this->warn("ies-opening", "luminous size",
+               cylinder ? "a horizontal cylinder; taken as a flat strip of its length and diameter"
+                        : "no size in one direction; taken as a strip a thousandth as wide as it is long");
+  }
   return opening;
-}
-
-void IesReader::checkAngles(const std::vector<double>& angles, const char* field, double low, double high)
-{
-  checkOrder(angles, this->Text.line(), field, true);
-  for (double angle : {angles.front(), angles.back()})
-    if (!(angle >= low - nearAngle && angle <= high + nearAngle))
-      this->Text.fail(field, "found " + shortNumber(angle) + "; expected degrees from " + shortNumber(low) + " to " +
-                                 shortNumber(high));
 }
 
 void IesReader::readAngles(PhotometryRows& rows)
@@ -176,85 +186,6 @@ void IesReader::readCandela(PhotometryRows& rows, bool transposed)
       turned.candela.back().push_back(row[a]);
   }
   rows = std::move(turned);
-}
-
-void snap(std::vector<double>& angles, std::initializer_list<double> ends)
-{
-  for (double end : ends)
-    for (double* angle : {&angles.front(), &angles.back()})
-      if (near(*angle, end))
-        *angle = end;
-}
-
-void IesReader::completeTypeC(PhotometryRows& rows)
-{
-  this->checkAngles(rows.angles, "vertical angle", 0, 180);
-  this->checkAngles(rows.planes, "horizontal angle", -360, 360);
-  snap(rows.angles, {0, 90, 180});
-  snap(rows.planes, {-360, -180, -90, 0, 90, 180, 270, 360});
-  const double low = rows.angles.front(), high = rows.angles.back();
-  if ((low != 0 && low != 90) || (high != 90 && high != 180))
-    this->warn("ies-range", "vertical angle",
-               "from " + shortNumber(low) + " to " + shortNumber(high) + "; taken as dark outside that");
-  const double first = rows.planes.front(), last = rows.planes.back(), span = last - first;
-  if (rows.planes.size() == 1)
-  {
-    if (first != 0)
-      this->warn("ies-range", "horizontal angle", "a single one of " + shortNumber(first) + "; taken for every plane");
-    rows.planes = {0, 360};
-    rows.candela.push_back(rows.candela.front());
-  }
-  else if (first == 0 && last == 90)
-  {
-    rows.mirrorPlanes(90);
-    rows.mirrorPlanes(180);
-  }
-  else if (span == 180 && std::fmod(first, 90) == 0)
-    rows.mirrorPlanes(last);
-  else if (span == 360)
-  {
-    if (rows.candela.front() != rows.candela.back())
-      this->warn("ies-seam", "horizontal angle", "the first and the last plane are one, with different intensities");
-  }
-  else
-  {
-    double step = 0;
-    for (std::size_t p = 1; p < rows.planes.size(); ++p)
-      step = std::max(step, rows.planes[p] - rows.planes[p - 1]);
-    if (!(span > 180 && span < 360 && 360 - span < 1.5 * step))
-      throw PhotometryError(this->AnglesLine, "horizontal angle",
-                            "from " + shortNumber(first) + " to " + shortNumber(last) +
-                                "; expected 0 alone, 0 to 90, 0 to 180, 90 to 270 or 0 to 360");
-    this->warn("ies-range", "horizontal angle",
-               "the last one, " + shortNumber(first + 360) + ", is missing; taken as " + shortNumber(first));
-    rows.planes.push_back(first + 360);
-    rows.candela.push_back(rows.candela.front());
-  }
-}
-
-void IesReader::completeTypeA(PhotometryRows& rows)
-{
-  this->checkAngles(rows.angles, "vertical angle", -90, 90);
-  this->checkAngles(rows.planes, "horizontal angle", -90, 90);
-  snap(rows.angles, {-90, 0, 90});
-  snap(rows.planes, {-90, 0, 90});
-  if (rows.planes.front() == 0)
-    rows.mirrorPlanes(0);
-  for (double& angle : rows.angles)
-    angle += 90;
-}
-
-void IesReader::completeTypeB(PhotometryRows& rows)
-{
-  this->checkAngles(rows.planes, "vertical angle", -90, 90);
-  this->checkAngles(rows.angles, "horizontal angle", -90, 90);
-  snap(rows.planes, {-90, 0, 90});
-  snap(rows.angles, {-90, 0, 90});
-  if (rows.angles.front() == 0)
-    rows.mirrorAngles();
-  for (double& angle : rows.angles)
-    angle = 90 - angle;
-  rows.makeAscending();
 }
 
 PhotometricFile IesReader::read()
@@ -296,9 +227,12 @@ PhotometricFile IesReader::read()
   checkCandela(rows, this->Text.line());
   const int lastLine = this->Text.line();
   rows.scale(factor);
-  type == 1 ? this->completeTypeC(rows) : type == 2 ? this->completeTypeB(rows) : this->completeTypeA(rows);
+  completeIesPlanes(rows, type, {this->AnglesLine, lastLine}, this->Warnings);
   if (!this->Text.onlyBlanksLeft())
     this->warn("ies-trailing", "candela", "more text follows the last intensity; passed over");
+  if (this->Text.decimalComma())
+    this->Warnings.push_back(
+        {"ies-decimal-comma", this->Text.decimalComma(), "number", "a decimal comma; read as a point"});
 
   PhotometricFile file{this->Year == 1986 ? "IES LM-63-1986" : "IES LM-63-" + std::to_string(this->Year), this->Name,
                        rows.table(type == 2 ? CandelaTable::Pole::Side : CandelaTable::Pole::Axis)};
@@ -315,8 +249,44 @@ PhotometricFile IesReader::read()
 }
 }  // namespace
 
+bool isIesHeader(const std::string& line)
+{
+  const bool named = line.find("LM-63") != std::string::npos || line.find("LM63") != std::string::npos;
+  return line.compare(0, 5, "IESNA") == 0 || line.compare(0, 4, "IES:") == 0 ||
+         (line.compare(0, 3, "IES") == 0 && named);
+}
+
 PhotometricFile parseIes(const std::string& text, const PhotometryOptions& options)
 {
-  return IesReader(text, options).read();
+  // A comma parts numbers; but where numbers are left over, or something does not fit, it may be a decimal one, if then
+  // all fits.
+  const auto fits = [](const PhotometricFile& file) {
+    return std::none_of(file.warnings.begin(), file.warnings.end(),
+                        [](const PhotometryWarning& w) { return w.code == "ies-trailing"; });
+  };
+  std::optional<PhotometricFile> file;
+  std::optional<PhotometryError> problem;
+  try
+  {
+    file = IesReader(text, options, false).read();
+  }
+  catch (const PhotometryError& error)
+  {
+    problem = error;
+  }
+  if (file && fits(*file))
+    return *file;
+  try
+  {
+    const PhotometricFile other = IesReader(text, options, true).read();
+    if (fits(other))
+      return other;
+  }
+  catch (const PhotometryError&)
+  {
+  }
+  if (problem)
+    throw *problem;
+  return *file;
 }
 }  // namespace kalos

@@ -36,7 +36,7 @@ PhotometricFile parsePhotometry(const std::string& text, const PhotometryOptions
   for (int i = 0; i < lines.size(); ++i)
     if (isTiltLine(lines.peek(i)))
       return parseIes(text, options);
-  if (lines.peek(0).compare(0, 5, "IESNA") == 0 || lines.peek(0).compare(0, 4, "IES:") == 0)
+  if (isIesHeader(upperCase(lines.peek(0))))
     throw PhotometryError(lines.size(), "TILT", "the file ends before it; expected a line TILT=");
   return parseEulumdat(text, options);
 }

@@ -32,9 +32,16 @@ std::string shortNumber(double value)
   return std::string(text, end);
 }
 
+std::string upperCase(std::string text)
+{
+  for (char& c : text)
+    c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return text;
+}
+
 bool isTiltLine(const std::string& line)
 {
-  if (line.compare(0, 4, "TILT") != 0)
+  if (upperCase(line.substr(0, 4)) != "TILT")
     return false;
   const auto equals = line.find_first_not_of(blanks, 4);
   return equals != std::string::npos && line[equals] == '=';
@@ -67,11 +74,6 @@ std::string PhotometryText::readLine(const std::string& field)
   return this->Lines[this->Next++];
 }
 
-void PhotometryText::endLine()
-{
-  this->Column = std::string::npos;
-}
-
 bool PhotometryText::readWord(std::string& word)
 {
   const std::string separators = this->CommaIsPoint ? " \t\v\f" : " \t\v\f,";
@@ -91,6 +93,7 @@ bool PhotometryText::readWord(std::string& word)
     }
     if (this->Next >= this->size())
       return false;
+    this->BlankBefore = this->Lines[this->Next].empty() ? this->Next + 1 : this->BlankBefore;
     ++this->Next;
     this->Column = 0;
   }
@@ -106,7 +109,14 @@ double PhotometryText::readNumber(const std::string& field)
 {
   std::string word;
   if (!this->readWord(word))
-    this->fail(field, "the file ends before it; expected a number");
+    this->fail(field, "the file ends before it" +
+                          (this->BlankBefore ? ", and line " + std::to_string(this->BlankBefore) + " is blank" : "") +
+                          "; expected a number");
+  return this->parseWord(word, field);
+}
+
+double PhotometryText::parseWord(std::string word, const std::string& field)
+{
   const auto comma = this->CommaIsPoint ? word.find(',') : std::string::npos;
   if (comma != std::string::npos)
   {
@@ -125,13 +135,51 @@ double PhotometryText::readNumber(const std::string& field)
   return value;
 }
 
-int PhotometryText::readCount(const std::string& field, int low, int high)
+double PhotometryText::readLineNumber(const std::string& field, std::optional<double> absent)
 {
-  const double value = this->readNumber(field);
+  if (this->Next >= this->size())
+    this->fail(field, "the file ends before it; expected a number");
+  std::string line = this->readLine(field);
+  if (line.empty() && absent)
+  {
+    this->FirstAbsent = this->FirstAbsent ? this->FirstAbsent : this->line();
+    return *absent;
+  }
+  if (line.empty())
+    this->fail(field, "blank; expected a number");
+  const auto isDigit = [&line](std::size_t i) { return i < line.size() && line[i] >= '0' && line[i] <= '9'; };
+  // 2 000 is two thousand, not two.
+  for (std::size_t i = 1; i < line.size(); ++i)
+  {
+    if (line[i] == ' ' && isDigit(i - 1) && isDigit(i + 1) && isDigit(i + 2) && isDigit(i + 3) && !isDigit(i + 4))
+    {
+      line.erase(i, 1);
+      this->FirstGroup = this->FirstGroup ? this->FirstGroup : this->line();
+    }
+  }
+  const std::size_t end = std::min(line.find_first_of(blanks), line.size());
+  const std::string rest = trimmed(line.substr(end));
+  if (!rest.empty() && ((rest[0] >= '0' && rest[0] <= '9') || rest[0] == '-' || rest[0] == '.' || rest[0] == ','))
+    this->fail(field, "found " + quoted(line) + "; expected one number");
+  return this->parseWord(line.substr(0, end), field);
+}
+
+int PhotometryText::checkCount(double value, const std::string& field, int low, int high) const
+{
   if (!(value >= low && value <= high && value == std::floor(value)))
     this->fail(field, "found " + shortNumber(value) + "; expected a whole number from " + std::to_string(low) + " to " +
                           std::to_string(high));
   return static_cast<int>(value);
+}
+
+int PhotometryText::readCount(const std::string& field, int low, int high)
+{
+  return this->checkCount(this->readNumber(field), field, low, high);
+}
+
+int PhotometryText::readLineCount(const std::string& field, int low, int high)
+{
+  return this->checkCount(this->readLineNumber(field), field, low, high);
 }
 
 std::vector<double> PhotometryText::readNumbers(const std::string& field, std::size_t count)
@@ -140,6 +188,7 @@ std::vector<double> PhotometryText::readNumbers(const std::string& field, std::s
   if (count > (this->Bytes + 1) / 2)
     this->fail(field, std::to_string(count) + " numbers announced, more than the file holds; expected right counts");
   std::vector<double> numbers(count);
+  this->BlankBefore = 0;
   for (std::size_t i = 0; i < count; ++i)
     numbers[i] = this->readNumber(field + " " + std::to_string(i + 1) + " of " + std::to_string(count));
   return numbers;

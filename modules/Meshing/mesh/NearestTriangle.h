@@ -20,8 +20,8 @@ public:
   std::uint32_t to(const Point& point) const;
 
 private:
-  struct Tree;
-  std::unique_ptr<Tree> tree_;
+  struct Impl;
+  std::unique_ptr<Impl> Tree;
 };
 }  // namespace kalos::meshing
 

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <string>
 
+#include "mesh/Tolerances.h"
+
 namespace kalos::meshing
 {
 void report(const Progress& progress, double share)
@@ -68,14 +70,10 @@ Bounds bounds(const TriangleMesh& mesh)
   return box;
 }
 
-double tolerance(const TriangleMesh& mesh, double wanted)
+Merged mergePoints(TriangleMesh& mesh, const Tolerances& tolerances)
 {
-  return wanted > 0.0 ? wanted : 1e-6 * bounds(mesh).diagonal();
-}
-
-Merged mergePoints(TriangleMesh& mesh, double distance)
-{
-  // Sweep along a direction that no building is aligned with; a point is compared with the representatives just passed.
+  // Sweep along a direction that buildings are rarely aligned with, and compare each point with the latest
+  // representatives.
   const Point direction = unit({0.6180339887, 0.7548776662, 0.5698402910});
   const std::size_t n = mesh.points.size();
   std::vector<double> along(n);
@@ -90,12 +88,12 @@ Merged mergePoints(TriangleMesh& mesh, double distance)
   Merged merged;
   for (const std::uint32_t i : order)
   {
-    while (first < passed.size() && along[i] - along[passed[first]] > distance)
+    while (first < passed.size() && along[i] - along[passed[first]] > tolerances.largest())
       ++first;
     representative[i] = i;
     for (std::size_t k = first; k < passed.size() && representative[i] == i; ++k)
     {
-      if (norm(mesh.points[i] - mesh.points[passed[k]]) <= distance)
+      if (norm(mesh.points[i] - mesh.points[passed[k]]) <= tolerances.of(i, passed[k]))
         representative[i] = passed[k];
     }
     if (representative[i] == i)
@@ -158,7 +156,7 @@ void keepMarked(TriangleMesh& mesh, const std::vector<std::uint8_t>& marks)
   mesh.material.resize(next);
 }
 
-std::size_t dropDegenerate(TriangleMesh& mesh, double distance)
+std::size_t dropDegenerate(TriangleMesh& mesh, const Tolerances& tolerances)
 {
   std::vector<std::uint8_t> marks(mesh.triangles.size());
   for (std::size_t t = 0; t < marks.size(); ++t)
@@ -167,7 +165,7 @@ std::size_t dropDegenerate(TriangleMesh& mesh, double distance)
     double longest = 0.0;
     for (int k = 0; k < 3; ++k)
       longest = std::max(longest, norm(mesh.points[triangle[k]] - mesh.points[triangle[(k + 1) % 3]]));
-    marks[t] = norm(doubledArea(mesh, triangle)) > distance * longest;
+    marks[t] = norm(doubledArea(mesh, triangle)) > tolerances.of(triangle) * longest;
   }
   const std::size_t before = mesh.triangles.size();
   keepMarked(mesh, marks);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** Triangles as every part of the meshing library takes and gives them. */
+/** The triangle mesh that all parts of the meshing library use. */
 #ifndef KalosMeshingTriangleMesh_h
 #define KalosMeshingTriangleMesh_h
 
@@ -58,29 +58,27 @@ struct Bounds
 };
 Bounds bounds(const TriangleMesh& mesh);
 
-/** Distance below which points are one, m: `wanted` if above 0, else a millionth of the diagonal, which float32 files
- * need. */
-double tolerance(const TriangleMesh& mesh, double wanted);
+class Tolerances;
 
 struct Merged
 {
-  std::size_t points = 0;  ///< that gave way to another
+  std::size_t points = 0;  ///< that were replaced by another
   std::size_t moved = 0;   ///< of these, those that were not at the very same place
 };
 
-/** Gives points nearer than `distance` to each other the same index. Unused points stay. */
-Merged mergePoints(TriangleMesh& mesh, double distance);
+/** Gives points nearer to each other than the tolerances of both the same index. Unused points stay. */
+Merged mergePoints(TriangleMesh& mesh, const Tolerances& tolerances);
 
 /** Drops points that no triangle uses and renumbers the others in their order. Returns how many were dropped. */
 std::size_t dropUnusedPoints(TriangleMesh& mesh);
 
-/** Drops triangles with a repeated corner or a height of at most `distance`. Returns how many. */
-std::size_t dropDegenerate(TriangleMesh& mesh, double distance);
+/** Drops triangles with a repeated corner or a height of at most their tolerance. Returns how many. */
+std::size_t dropDegenerate(TriangleMesh& mesh, const Tolerances& tolerances);
 
 struct Duplicates
 {
   std::size_t dropped = 0;  ///< same corners and material as an earlier triangle
-  std::size_t kept = 0;     ///< same corners but another material: which one counts cannot be decided here
+  std::size_t kept = 0;     ///< same corners but another material: both are kept
 };
 
 /**

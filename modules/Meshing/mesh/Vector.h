@@ -8,7 +8,7 @@
 
 namespace kalos::meshing
 {
-/** A type of its own, so that the operators below are found from anywhere. */
+/** A type of its own, so that argument-dependent lookup finds the operators below. */
 struct Point : std::array<double, 3>
 {
 };

@@ -19,7 +19,7 @@ public:
   Remesher(const TriangleMesh& input, std::vector<std::uint8_t> turned, const Progress& progress);
   ~Remesher();
 
-  /** The share done, which is reported now and then from within CGAL, too. */
+  /** Sets the progress, which is also reported regularly from within CGAL. */
   void setShare(double share);
 
   /** Marks what must stay, borders and creases sharper than `feature` radians, and numbers the patches in between. */
@@ -35,8 +35,8 @@ public:
   TriangleMesh result();
 
 private:
-  class Work;
-  std::unique_ptr<Work> work_;
+  class Impl;
+  std::unique_ptr<Impl> Work;
 };
 }  // namespace kalos::meshing
 

@@ -21,7 +21,7 @@ namespace kalos::meshing
 {
 namespace
 {
-/// What the input's cells want, found by place.
+/// Edge lengths that the input's cells ask for, looked up by position.
 class CellWishes
 {
 public:
@@ -30,19 +30,19 @@ public:
     if (wanted.empty())
       return;
     for (const std::uint32_t origin : mesh.origin)
-      wishes_.push_back(origin < wanted.size() ? wanted[origin] : least_);
-    least_ = *std::min_element(wishes_.begin(), wishes_.end());
+      Wishes.push_back(origin < wanted.size() ? wanted[origin] : Least);
+    Least = *std::min_element(Wishes.begin(), Wishes.end());
     std::vector<std::uint32_t> all(mesh.triangles.size());
     std::iota(all.begin(), all.end(), 0u);
-    tree_ = std::make_unique<NearestTriangle>(mesh, all);
+    Tree = std::make_unique<NearestTriangle>(mesh, all);
   }
-  double least() const { return least_; }
-  double at(const Point& p) const { return tree_ ? wishes_[tree_->to(p)] : std::numeric_limits<double>::infinity(); }
+  double least() const { return Least; }
+  double at(const Point& p) const { return Tree ? Wishes[Tree->to(p)] : std::numeric_limits<double>::infinity(); }
 
 private:
-  std::vector<double> wishes_;
-  double least_ = std::numeric_limits<double>::infinity();
-  std::unique_ptr<NearestTriangle> tree_;
+  std::vector<double> Wishes;
+  double Least = std::numeric_limits<double>::infinity();
+  std::unique_ptr<NearestTriangle> Tree;
 };
 
 double lengthOf(const Curves& curves)

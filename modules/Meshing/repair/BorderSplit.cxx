@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mesh/SortedSides.h"
+#include "mesh/Tolerances.h"
 #include "repair/SurfaceRepair.h"
 
 namespace kalos::meshing
@@ -33,7 +34,7 @@ struct Insertion
 };
 
 /// The points on the sides of border triangles, sorted by triangle, side and place.
-std::vector<Insertion> findInsertions(const TriangleMesh& mesh, double distance)
+std::vector<Insertion> findInsertions(const TriangleMesh& mesh, const Tolerances& tolerances)
 {
   const std::vector<Side> sides = sortedSides(mesh);
   std::vector<Side> borders;
@@ -50,7 +51,8 @@ std::vector<Insertion> findInsertions(const TriangleMesh& mesh, double distance)
 
   std::vector<Box> edgeBoxes, pointBoxes;
   for (std::uint32_t i = 0; i < borders.size(); ++i)
-    edgeBoxes.push_back(boxAround(mesh.points[borders[i].low], mesh.points[borders[i].high], distance, i));
+    edgeBoxes.push_back(boxAround(mesh.points[borders[i].low], mesh.points[borders[i].high],
+                                  tolerances.of(borders[i].low, borders[i].high), i));
   for (const std::uint32_t corner : corners)
     pointBoxes.push_back(boxAround(mesh.points[corner], mesh.points[corner], 0.0, corner));
   std::vector<Insertion> found;
@@ -59,6 +61,7 @@ std::vector<Insertion> findInsertions(const TriangleMesh& mesh, double distance)
                              const Side& side = borders[edge.info()];
                              const Triangle& triangle = mesh.triangles[side.triangle];
                              const std::uint32_t from = triangle[side.number], to = triangle[(side.number + 1) % 3];
+                             const double distance = std::min(tolerances.of(from, to), tolerances.of(corner.info()));
                              const Point along = mesh.points[to] - mesh.points[from];
                              const Point offset = mesh.points[corner.info()] - mesh.points[from];
                              const double length = norm(along), place = dot(offset, along) / length;
@@ -98,9 +101,9 @@ std::vector<Triangle> cut(const std::array<Chain, 3>& sides)
 }
 }  // namespace
 
-std::size_t splitBorders(TriangleMesh& mesh, double distance)
+std::size_t splitBorders(TriangleMesh& mesh, const Tolerances& tolerances)
 {
-  const std::vector<Insertion> found = findInsertions(mesh, distance);
+  const std::vector<Insertion> found = findInsertions(mesh, tolerances);
   std::size_t count = 0;
   for (std::size_t i = 0; i < found.size(); ++count)
   {

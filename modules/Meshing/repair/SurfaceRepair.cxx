@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "mesh/SortedSides.h"
+#include "mesh/Tolerances.h"
 
 namespace kalos::meshing
 {
@@ -39,7 +40,7 @@ std::vector<std::uint32_t> surfacesOf(const TriangleMesh& mesh, std::size_t& cou
   return surface;
 }
 
-/// What speaks for turning a surface back after all its triangles were made to agree.
+/// Areas and emitters for and against turning a consistently oriented surface over.
 struct Votes
 {
   double turned = 0.0, unturned = 0.0;  // area, m²
@@ -121,16 +122,17 @@ RepairReport repair(TriangleMesh& mesh, const RepairSettings& settings, const Pr
   result.trianglesBefore = mesh.triangles.size();
   result.areaBefore = area(mesh);
   result.boundsBefore = bounds(mesh);
-  result.tolerance = tolerance(mesh, settings.tolerance);
   result.borderBefore = countEdges(mesh).border;
   report(progress, 0.05);
 
   result.pointsUnused = dropUnusedPoints(mesh);
-  const Merged merged = mergePoints(mesh, result.tolerance);
+  const Tolerances tolerances(mesh, settings.tolerance);
+  result.tolerance = tolerances.largest();
+  const Merged merged = mergePoints(mesh, tolerances);
   result.pointsMerged = merged.points;
   result.pointsMoved = merged.moved;
   const double merging = area(mesh);
-  result.degenerate = dropDegenerate(mesh, result.tolerance);
+  result.degenerate = dropDegenerate(mesh, tolerances);
   if (mesh.triangles.empty())
     throw std::invalid_argument("every triangle is degenerate (lower than the tolerance of " +
                                 std::to_string(result.tolerance) + " m); expected at least one that is not");
@@ -143,7 +145,7 @@ RepairReport repair(TriangleMesh& mesh, const RepairSettings& settings, const Pr
     nameDuplicates(mesh, result.unrepaired);
   report(progress, 0.25);
 
-  result.splitTriangles = splitBorders(mesh, result.tolerance);
+  result.splitTriangles = splitBorders(mesh, tolerances);
   result.nonManifoldBefore = countEdges(mesh).nonManifold;
   report(progress, 0.4);
 

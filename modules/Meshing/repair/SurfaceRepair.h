@@ -11,7 +11,7 @@ namespace kalos::meshing
 {
 struct RepairSettings
 {
-  double tolerance = 0.0;           ///< distance below which points are one, m; 0: a millionth of the diagonal
+  double tolerance = 0.0;           ///< distance below which points are one, m; 0: see Tolerances.h
   std::vector<std::uint8_t> sided;  ///< by origin: the triangle's side matters, as it emits; empty: none does
 };
 
@@ -33,7 +33,8 @@ struct RepairReport
   std::size_t borderBefore = 0, borderAfter = 0;            ///< edges of one triangle
   std::size_t nonManifoldBefore = 0, nonManifoldAfter = 0;  ///< edges of three or more
   std::size_t surfaces = 0;                                 ///< connected parts
-  double areaBefore = 0.0, areaAfter = 0.0, tolerance = 0.0;
+  double areaBefore = 0.0, areaAfter = 0.0;
+  double tolerance = 0.0;                            ///< the largest of any point
   double degenerateArea = 0.0, duplicateArea = 0.0;  ///< of the triangles dropped
   Bounds boundsBefore, boundsAfter;
   std::vector<Unrepaired> unrepaired;
@@ -51,7 +52,7 @@ struct RepairReport
 RepairReport repair(TriangleMesh& mesh, const RepairSettings& settings, const Progress& progress = {});
 
 /** Cuts triangles where corners of border edges lie on their own border edges. Returns how many were cut. */
-std::size_t splitBorders(TriangleMesh& mesh, double distance);
+std::size_t splitBorders(TriangleMesh& mesh, const Tolerances& tolerances);
 
 /** Points added for non-manifold edges and vertices. `turned` gets a mark for each triangle that now faces the other
  * way. */

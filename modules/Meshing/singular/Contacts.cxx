@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "mesh/Tolerances.h"
+
 namespace kalos::meshing
 {
 namespace
@@ -34,17 +36,17 @@ Box boxAround(const std::array<Point, N>& corners, double margin, std::uint32_t 
 class Groups
 {
 public:
-  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  explicit Groups(std::size_t n) : Parent(n) { std::iota(Parent.begin(), Parent.end(), 0u); }
   std::uint32_t find(std::uint32_t i)
   {
-    while (parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
+    while (Parent[i] != i)
+      i = Parent[i] = Parent[Parent[i]];
     return i;
   }
-  void join(std::uint32_t i, std::uint32_t j) { parent_[find(i)] = find(j); }
+  void join(std::uint32_t i, std::uint32_t j) { Parent[find(i)] = find(j); }
 
 private:
-  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint32_t> Parent;
 };
 
 /// Whether two pieces lie on one line and overlap or touch: triangles that meet in less than `intersect` sees leave
@@ -148,7 +150,7 @@ std::vector<Segment> joinOverlaps(const std::vector<Segment>& pieces, double dis
   return joined;
 }
 
-void appendContacts(const TriangleMesh& mesh, double distance, const EdgeSettings& settings,
+void appendContacts(const TriangleMesh& mesh, const Tolerances& tolerances, const EdgeSettings& settings,
                     std::vector<Segment>& pieces, const Progress& progress)
 {
   std::vector<Box> boxes;
@@ -156,7 +158,7 @@ void appendContacts(const TriangleMesh& mesh, double distance, const EdgeSetting
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
   {
     const Triangle& c = mesh.triangles[t];
-    boxes.push_back(boxAround<3>({mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]}, 0.5 * distance, t));
+    boxes.push_back(boxAround<3>({mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]}, 0.5 * tolerances.of(c), t));
   }
 
   std::vector<Segment> found;
@@ -165,12 +167,14 @@ void appendContacts(const TriangleMesh& mesh, double distance, const EdgeSetting
   const double expected = 10.0 * static_cast<double>(mesh.triangles.size());
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
     Segment piece;
-    if (intersect(mesh, mesh.triangles[a.info()], mesh.triangles[b.info()], distance, settings, piece))
+    const Triangle &first = mesh.triangles[a.info()], &second = mesh.triangles[b.info()];
+    const double distance = std::min(tolerances.of(first), tolerances.of(second));
+    if (intersect(mesh, first, second, distance, settings, piece))
       found.push_back(piece);
     if (++pairs % 65536 == 0)
       report(progress, std::min(0.99, static_cast<double>(pairs) / expected));
   });
-  const std::vector<Segment> joined = joinOverlaps(found, distance);
+  const std::vector<Segment> joined = joinOverlaps(found, tolerances.largest());
   pieces.insert(pieces.end(), joined.begin(), joined.end());
 }
 }  // namespace kalos::meshing

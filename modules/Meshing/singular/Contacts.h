@@ -3,6 +3,7 @@
 #ifndef KalosMeshingContacts_h
 #define KalosMeshingContacts_h
 
+#include "mesh/Tolerances.h"
 #include "singular/SingularEdges.h"
 
 namespace kalos::meshing
@@ -11,9 +12,10 @@ namespace kalos::meshing
  * Appends the pieces along which two triangles that share no edge, and are not parallel, meet, and which have a
  * severity: each piece once, however many pairs of triangles meet there, with the severest of their angles.
  *
- * `distance`: surfaces nearer than this touch, m. The mesh has merged points and no degenerate or duplicate triangles.
+ * Surfaces nearer than the tolerances of both touch. The mesh has merged points and no degenerate or duplicate
+ * triangles.
  */
-void appendContacts(const TriangleMesh& mesh, double distance, const EdgeSettings& settings,
+void appendContacts(const TriangleMesh& mesh, const Tolerances& tolerances, const EdgeSettings& settings,
                     std::vector<Segment>& pieces, const Progress& progress);
 
 /** The piece along which two triangles meet; false if they meet in a point, in an area or not at all. */

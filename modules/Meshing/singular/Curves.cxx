@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/Tolerances.h"
+
 namespace kalos::meshing
 {
 namespace
@@ -24,23 +26,13 @@ struct End
 {
   std::uint32_t point, segment, end;
 };
-}  // namespace
 
-void joinSegments(const std::vector<Segment>& segments, double distance, Curves& result)
+/// The segments beyond the two ends of one.
+using Links = std::array<std::uint32_t, 2>;
+
+/// For each end of a segment the segment that continues it straight on.
+std::vector<Links> linkEnds(const std::vector<Segment>& segments, const TriangleMesh& ends)
 {
-  // Number the ends.
-  TriangleMesh ends;  // its merging of points serves here too
-  for (const Segment& s : segments)
-  {
-    const auto first = static_cast<std::uint32_t>(ends.points.size());
-    ends.points.push_back(s.start);
-    ends.points.push_back(s.end);
-    ends.triangles.push_back({first, first + 1, first + 1});
-  }
-  mergePoints(ends, distance);
-  dropUnusedPoints(ends);
-
-  // Link each end to the segment that continues it straight on.
   std::vector<End> order;
   std::vector<Point> direction;
   for (std::uint32_t s = 0; s < segments.size(); ++s)
@@ -52,7 +44,7 @@ void joinSegments(const std::vector<Segment>& segments, double distance, Curves&
   std::sort(order.begin(), order.end(), [](const End& a, const End& b) {
     return a.point != b.point ? a.point < b.point : a.segment != b.segment ? a.segment < b.segment : a.end < b.end;
   });
-  std::vector<std::array<std::uint32_t, 2>> next(segments.size(), {nobody, nobody});
+  std::vector<Links> next(segments.size(), Links{nobody, nobody});
   for (std::size_t first = 0, last = 0; first < order.size(); first = last)
   {
     while (last < order.size() && order[last].point == order[first].point)
@@ -73,6 +65,25 @@ void joinSegments(const std::vector<Segment>& segments, double distance, Curves&
       }
     }
   }
+  return next;
+}
+}  // namespace
+
+void joinSegments(const std::vector<Segment>& segments, double distance, Curves& result)
+{
+  // Number the ends.
+  TriangleMesh ends;  // its merging of points serves here too
+  for (const Segment& s : segments)
+  {
+    const auto first = static_cast<std::uint32_t>(ends.points.size());
+    ends.points.push_back(s.start);
+    ends.points.push_back(s.end);
+    ends.triangles.push_back({first, first + 1, first + 1});
+  }
+  mergePoints(ends, Tolerances(ends, distance));
+  dropUnusedPoints(ends);
+
+  const std::vector<Links> next = linkEnds(segments, ends);
 
   // Walk each chain from one of its ends.
   result.points = std::move(ends.points);

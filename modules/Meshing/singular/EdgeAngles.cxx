@@ -69,7 +69,7 @@ EdgeAngles measureAngles(const Point& axis, const std::vector<Sheet>& sheets, do
 {
   const std::vector<Spoke> spokes = spokesOf(axis, sheets, flat);
   EdgeAngles angles{none, none, false};
-  // A sheet alone, or doubled, has nothing opposite: a full turn, as at the rim of a thin panel.
+  // A single or doubled sheet faces nothing else: a full turn, as at the rim of a thin panel.
   if (spokes.size() < 2)
     return {2.0 * pi, 0.0, false};
   double smallest = none;

@@ -24,8 +24,8 @@ public:
   Nearest nearest(const Point& point) const;
 
 private:
-  struct Tree;
-  std::unique_ptr<Tree> tree_;
+  struct Impl;
+  std::unique_ptr<Impl> Tree;
 };
 }  // namespace kalos::meshing
 

@@ -31,46 +31,46 @@ class Classifier
 {
 public:
   Classifier(const TriangleMesh& mesh, const EdgeSettings& settings, EdgeReport& report, std::vector<Segment>& segments)
-      : mesh_(mesh), settings_(settings), report_(report), segments_(segments)
+      : Mesh(mesh), Settings(settings), Report(report), Segments(segments)
   {
   }
 
   void add(std::uint32_t a, std::uint32_t b, const std::uint32_t* triangles, std::size_t count)
   {
-    Segment segment{mesh_.points[a], mesh_.points[b], {}};
+    Segment segment{Mesh.points[a], Mesh.points[b], {}};
     EdgeProperties& edge = segment.edge;
     edge.kind = count == 1 ? EdgeClass::Border : count == 2 ? EdgeClass::Coplanar : EdgeClass::NonManifold;
     const Point axis = unit(segment.end - segment.start);
-    sheets_.clear();
+    Sheets.clear();
     for (std::size_t i = 0; i < count; ++i)
-      sheets_.push_back(this->sheet(triangles[i], a, b, axis));
-    const EdgeAngles angles = measureAngles(axis, sheets_, settings_.flat);
+      Sheets.push_back(this->sheet(triangles[i], a, b, axis));
+    const EdgeAngles angles = measureAngles(axis, Sheets, Settings.flat);
     edge.front = angles.front;
     edge.back = angles.back;
-    report_.inconsistent += count == 2 && angles.mixed;
-    classify(edge, settings_);
-    ++report_.edges[static_cast<int>(edge.kind)];
-    if (settings_.wanted[static_cast<int>(edge.kind)])
-      segments_.push_back(segment);
+    Report.inconsistent += count == 2 && angles.mixed;
+    classify(edge, Settings);
+    ++Report.edges[static_cast<int>(edge.kind)];
+    if (Settings.wanted[static_cast<int>(edge.kind)])
+      Segments.push_back(segment);
   }
 
 private:
   Sheet sheet(std::uint32_t triangle, std::uint32_t a, std::uint32_t b, const Point& axis) const
   {
-    const Triangle& corners = mesh_.triangles[triangle];
+    const Triangle& corners = Mesh.triangles[triangle];
     const auto third = std::find_if(corners.begin(), corners.end(), [=](std::uint32_t c) { return c != a && c != b; });
-    const Point away = mesh_.points[*third] - mesh_.points[a];
-    return {unit(away - dot(away, axis) * axis), unit(doubledArea(mesh_, corners))};
+    const Point away = Mesh.points[*third] - Mesh.points[a];
+    return {unit(away - dot(away, axis) * axis), unit(doubledArea(Mesh, corners))};
   }
 
-  const TriangleMesh& mesh_;
-  const EdgeSettings& settings_;
-  EdgeReport& report_;
-  std::vector<Segment>& segments_;
-  std::vector<Sheet> sheets_;
+  const TriangleMesh& Mesh;
+  const EdgeSettings& Settings;
+  EdgeReport& Report;
+  std::vector<Segment>& Segments;
+  std::vector<Sheet> Sheets;
 };
 
-/// Silences what OpenMesh prints about faces that it refuses.
+/// Suppresses OpenMesh's messages about faces that it rejects.
 struct Quiet
 {
   Quiet() { omerr().disable(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "singular/SingularEdges.h"
 
+#include "mesh/Tolerances.h"
 #include "singular/Contacts.h"
 #include "singular/Curves.h"
 #include "singular/MeshEdges.h"
@@ -12,12 +13,13 @@ Curves findSingularEdges(TriangleMesh mesh, const EdgeSettings& settings, const 
   check(mesh);
   Curves result;
   EdgeReport& counts = result.report;
-  counts.tolerance = tolerance(mesh, settings.tolerance);
+  const Tolerances tolerances(mesh, settings.tolerance);
+  counts.tolerance = tolerances.largest();
 
-  // Make neighbours of triangles that only touch by coordinates; coincident ones would meet each other without end.
+  // Connect triangles that only share coordinates; drop duplicates, which would all intersect each other.
   report(progress, 0.0);
-  mergePoints(mesh, counts.tolerance);
-  counts.degenerate = dropDegenerate(mesh, counts.tolerance);
+  mergePoints(mesh, tolerances);
+  counts.degenerate = dropDegenerate(mesh, tolerances);
   std::fill(mesh.material.begin(), mesh.material.end(), 0u);
   counts.duplicate = dropDuplicates(mesh).dropped;
   report(progress, 0.15);
@@ -28,7 +30,7 @@ Curves findSingularEdges(TriangleMesh mesh, const EdgeSettings& settings, const 
   if (settings.wanted[static_cast<int>(EdgeClass::Contact)])
   {
     const std::size_t before = segments.size();
-    appendContacts(mesh, counts.tolerance, settings, segments,
+    appendContacts(mesh, tolerances, settings, segments,
                    progress ? [&](double share) { return progress(0.4 + 0.5 * share); } : Progress());
     counts.edges[static_cast<int>(EdgeClass::Contact)] = segments.size() - before;
   }

@@ -42,8 +42,7 @@ struct Curve
 
 struct EdgeSettings
 {
-  double tolerance =
-      0.0;  ///< distance below which points are one and surfaces touch, m; 0: a millionth of the diagonal
+  double tolerance = 0.0;  ///< distance below which points are one and surfaces touch, m; 0: see Tolerances.h
   double flat = 0.5 * 3.14159265358979323846 / 180.0;  ///< deviation from a straight angle that counts as none, radians
   bool bothSides = false;                              ///< judge an edge by the narrower of its sides, not by its front
   std::array<bool, numberOfEdgeClasses> wanted{true, false, false, false, true, true};  ///< classes to return
@@ -54,7 +53,7 @@ struct EdgeReport
   std::array<std::size_t, numberOfEdgeClasses> edges{};  ///< mesh edges of each class, wanted or not; contacts: pieces
   std::size_t degenerate = 0, duplicate = 0;             ///< triangles left out of the search
   std::size_t inconsistent = 0;                          ///< edges whose two triangles face opposite ways
-  double tolerance = 0.0;                                ///< that was used, m
+  double tolerance = 0.0;                                ///< the largest that was used, m
 };
 
 struct Curves
@@ -71,7 +70,7 @@ struct Curves
  * intersecting bounding boxes, all in O(n log n) for a mesh whose triangles meet few others. Throws as check() and
  * report() do.
  *
- * All is found but for the tolerance: surfaces nearer than it touch, contacts shorter than four of it count as points,
+ * Within the tolerance: surfaces closer than it touch, contacts shorter than four times it count as points,
  * and where two edges cross at an angle the ends of a contact are right to a few tolerances over its sine.
  */
 Curves findSingularEdges(TriangleMesh mesh, const EdgeSettings& settings, const Progress& progress = {});

@@ -10,7 +10,7 @@ namespace kalos::meshing
 {
 namespace
 {
-/// What one triangle has in the plane of the other: a piece of the common line, and the sides it reaches out to.
+/// Where one triangle meets the plane of the other: a piece of the common line, and the sides on which it lies.
 struct Trace
 {
   Point ends[2];

@@ -14,12 +14,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-
 NAMES = ("mitsuba", "radiance", "radiance-cached")
 
 
 class Absent(Exception):
-    """A peer that can not take part, and why."""
+    """Raised when a peer cannot take part; the message says why."""
 
 
 @dataclass
@@ -29,7 +28,7 @@ class Run:
     values: np.ndarray  # lx
     effort: int  # as spent: a program may round it
     cpu_seconds: float  # without set-up
-    rays: int = None  # None: it does not tell
+    rays: int = None  # None if the program does not report it
 
 
 def interpreter():

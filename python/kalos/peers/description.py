@@ -3,10 +3,10 @@
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from kalos import arrays
-from kalos.clearance import triangles
+from kalos.core import arrays
+from kalos.scenes.clearance import triangles
+from kalos.scenes.photometric import band_weights
 
-BAND_WEIGHTS = {1: np.ones(1), 3: np.array([0.2126, 0.7152, 0.0722])}  # photometric share of a band; else equal
 ISOTROPIC, LAMBERTIAN = 0, 1
 
 
@@ -16,11 +16,6 @@ def materials(surfaces):
     found = [cell_bands(surfaces, name) for name in (arrays.REFLECTANCE, arrays.EXITANCE)]
     bands = max(values.shape[1] for values in found)
     return [np.repeat(np.broadcast_to(values, (len(values), bands)), counts, axis=0) for values in found]
-
-
-def band_weights(bands):
-    """Photometric share of each band."""
-    return BAND_WEIGHTS.get(bands, np.full(bands, 1 / bands))
 
 
 def describe(reader, points, normals, response=None, emitted=0.0):

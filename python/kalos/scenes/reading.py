@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads scene files and models, and lists what is in them."""
+import os
+
+from kalos.core import arrays
+from kalos.errors import update
+from kalos.scenes.model_file import MODELS, ModelFile
+from kalos.vtk import vtkKalosSceneReader
+
+
+def read_scene(path):
+    """A vtkKalosSceneReader that has read the scene or model file: ports 0 surfaces, 1 luminaires, 2 receivers, and the cameras."""
+    reader = vtkKalosSceneReader()
+    reader.SetFileName(os.fspath(path))
+    if isinstance(path, ModelFile):
+        reader.SetModelUnit(path.unit)
+        reader.SetModelUp(path.up)
+    update(reader)
+    return reader
+
+
+def photometry_warnings(reader):
+    """The warnings of the scene's photometric files: a list of {code, file, message}."""
+    table = reader.GetLuminaires().GetFieldData().GetAbstractArray(arrays.PHOTOMETRY_WARNINGS)
+    cells = [table.GetValue(i) for i in range(table.GetNumberOfValues())]
+    return [dict(zip(("code", "file", "message"), cells[i:i + 3])) for i in range(0, len(cells), 3)]
+
+
+def receiver_names(reader):
+    blocks = reader.GetReceivers()
+    return [blocks.GetMetaData(i).Get(blocks.NAME()) for i in range(blocks.GetNumberOfBlocks())]
+
+
+def camera_names(reader):
+    return [reader.GetCameraName(i) for i in range(reader.GetNumberOfCameras())]

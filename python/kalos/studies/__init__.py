@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Many settings on one scene: the sweeps, errors and picture of `kalos study`."""
