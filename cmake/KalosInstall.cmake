@@ -6,7 +6,7 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/KalosConfigVersion.cmake" 
 install(FILES "${CMAKE_BINARY_DIR}/KalosConfig.cmake" "${CMAKE_BINARY_DIR}/KalosConfigVersion.cmake"
   DESTINATION "${KALOS_CMAKE_DIRECTORY}")
 install(DIRECTORY data DESTINATION "${CMAKE_INSTALL_DATADIR}/kalos" PATTERN "*.py" EXCLUDE)
-install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DOCDIR}" PATTERN "__pycache__" EXCLUDE)
+install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DATADIR}/kalos" USE_SOURCE_PERMISSIONS PATTERN "__pycache__" EXCLUDE)  # beside data
 install(FILES README.md LICENSE CHANGELOG.md CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # ParaView's build of a plugin installs the archives that the plugin was linked from.
 install(CODE "file(GLOB archives \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/libvtkKalos*CS.a\")

@@ -68,12 +68,18 @@ def test_package_by_pythonpath(prefix):
 def test_documentation_is_installed(prefix):
     share = prefix / "share"
     assert (share / "bash-completion" / "completions" / "kalos").is_file() and (share / "zsh" / "vendor-completions" / "_kalos").is_file()
-    for name in ("first_light.py", "scene_changes.py", "cpp/desk.cxx"):
-        assert (share / "doc" / "Kalos" / "examples" / name).is_file()
+    assert (share / "kalos" / "examples" / "cpp" / "desk.cxx").is_file()
     assert (share / "doc" / "Kalos" / "CHANGELOG.md").is_file() and (share / "doc" / "Kalos" / "CITATION.cff").is_file()
     if shutil.which("argparse-manpage"):
         page = (share / "man" / "man1" / "kalos.1").read_text()
         assert ".SH OPTIONS 'kalos solve'" in page and "\\-\\-trajectories" in page
+
+
+def test_an_installed_example_runs(prefix, tmp_path):
+    ran = run(sys.executable, prefix / "share" / "kalos" / "examples" / "scene_changes.py", tmp_path,
+              PYTHONPATH=str(prefix / "lib" / "python3" / "dist-packages"))
+    assert ran.returncode == 0, ran.stderr
+    assert (tmp_path / "light" / "task.csv").is_file() and "without a room: " in ran.stdout
 
 
 @pytest.mark.skipif(os.environ["KALOS_WITH_PARAVIEW"] != "ON", reason="built without ParaView")

@@ -91,12 +91,13 @@ TEST(DarkReceivers, ManyHaveAnAnswerEach)
   rooms::addQuad(d, {3.5, 3.5, 2}, {1.4, 0, 0}, {0, 1.4, 0}, 0);  // a black shelf, and a shadow below it
   std::vector<Vec3> points{{4.9, 0.1, 0.5}};
   std::vector<char> valid{1};
-  for (int i = 0; i < 3000; ++i)
-    for (const Vec3& corner : {Vec3{2.1, 2.5, 0.5}, Vec3{0.6, 0.6, 0.5}, Vec3{4.4, 4.4, 1.9}})
-    {
-      points.push_back(corner + 1e-4 * i * Vec3{1, 0, 0});
-      valid.push_back(corner.z > 1);
-    }
+  for (int row = 0; row < 300; ++row)
+    for (const Vec3& corner : {Vec3{2.1, 2.1, 0.5}, Vec3{0.6, 0.6, 0.5}, Vec3{4.4, 4.4, 1.9}})
+      for (int i = 0; i < 10; ++i)
+      {
+        points.push_back(corner + Vec3{0.02 * i, 1e-3 * row, 0});
+        valid.push_back(corner.z > 1);
+      }
   const DarkReceivers found = find(d, points, {0, 0, 1}, Method::Local);
   EXPECT_EQ(found.valid, valid);
   ASSERT_EQ(found.audit.size(), 2u);

@@ -10,6 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import kalos
 from kalos.estimation.exchange import reduced
+from kalos.results.text import number
 
 UP = (0, 0, 1)
 
@@ -54,7 +55,7 @@ def test_warnings_are_told(results):
     np.testing.assert_array_equal(one.valid, [[True, True, True], [True, False, True]])
     assert len(one.warnings) == 1 and "nothing lit in sight: 1" in one.warnings[0]
     assert "warning: receivers with nothing lit in sight: 1" in repr(one) and "1 left out" in repr(one)
-    assert one.illuminance[one.valid].min() > 0 and f"min {one.illuminance[one.valid].min():.1f}" in repr(one)
+    assert one.illuminance[one.valid].min() > 0 and f"min {number(one.illuminance[one.valid].min())}" in repr(one)
     assert results["points"].warnings == [] and "\n" not in repr(results["points"]) and "left out" not in repr(results["points"])
 
 
