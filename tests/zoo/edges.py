@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Edges, contacts and narrow gaps, where the geometric kernel is unbounded."""
+import numpy as np
+
+from closed import furnace
+from room import Room
+from shapes import box, grid, joined, obj, row, scene, shell, sphere
+
+FURNACE = "closed form: white furnace, M0/(1 - rho) everywhere"
+GREY, EXITANCE = 0.6, 100.0
+LUMINOUS = {"grey": {"reflectance": GREY, "exitance": EXITANCE}}
+
+
+def white_furnace(name, kind, surfaces, receivers, files=None):
+    return Room(name, kind, scene(LUMINOUS, surfaces), receivers, FURNACE, furnace(GREY, EXITANCE), files=files or {})
+
+
+def prism(profile, length):
+    """The text of an OBJ file: a polygon (x, z), counterclockwise seen from -y, drawn out along y, closed, normals inwards."""
+    count = len(profile)
+    vertices = [(x, y, z) for y in (0, length) for x, z in profile]
+    sides = [(i, (i + 1) % count, (i + 1) % count + count, i + count) for i in range(count)]
+    return obj(vertices, [*sides, tuple(range(count))[::-1], tuple(range(count, 2 * count))])
+
+
+def wedge(angle, depth):
+    slope = np.radians(angle)
+    return [(0, 0), (depth, 0), (depth * np.cos(slope), depth * np.sin(slope))]
+
+
+def along_wedge(angle):
+    """Receivers on both planes of a wedge, 1 mm to 1.6 m from its edge."""
+    slope, places = np.radians(angle), np.geomspace(0.001, 1.6, 7)
+    lower = [[x, 1.1, 0, 0, 0, 1] for x in places]
+    upper = [[x * np.cos(slope), 0.9, x * np.sin(slope), np.sin(slope), 0, -np.cos(slope)] for x in places]
+    return np.array(lower + upper, float)
+
+
+def fins(material, gap=0.005, thickness=0.002, count=20):
+    return [box(f"fin{i}", (1 + i * (gap + thickness), 1, 0.25), (thickness, 1, 0.5), material) for i in range(count)]
+
+
+def between_fins(gap=0.005, thickness=0.002):
+    """Receivers on the floor between fins, and up the side of one."""
+    x = 1 + 7 * (gap + thickness) + thickness / 2
+    return joined(row((x + 0.0005, 0.9, 0), (x + gap - 0.0005, 0.9, 0), (0, 0, 1), 5), row((x, 1.1, 0.002), (x, 1.1, 0.45), (1, 0, 0), 7))
+
+
+def ball_on_floor(radius=0.4, level=4, center=(1.5, 1.2)):
+    """A ball that touches the floor: OBJ text."""
+    points, faces = sphere(radius, level, inwards=False)
+    points = points - [0, 0, points[:, 2].min()] + [*center, 0]
+    return obj(points, faces)
+
+
+def about_contact(center=(1.5, 1.2), nearest=0.003):
+    distances = np.geomspace(nearest, 0.4, 12)
+    return np.array([[center[0] + d * np.cos(2.4 * i), center[1] + d * np.sin(2.4 * i), 0, 0, 0, 1] for i, d in enumerate(distances)])
+
+
+HALL, BALL = (3, 2.5, 2), [{"name": "ball", "file": "ball.obj", "material": "grey"}]
+WEDGE = [{"name": "wedge", "file": "wedge.obj", "material": "grey"}]
+BLOCKS = [box("west", (0.99995, 1.2, 0.4), (1, 1, 0.8), "grey"), box("east", (2, 1.2, 0.4), (1, 1, 0.8), "grey")]
+FLOATING = [box("plate", (1.5, 1.2, 0.051), (1, 1, 0.1), "grey")]
+DESKS = [box(f"desk{i}", (0.6 + 0.9 * i, 1.0 + 0.3 * i, 0.5), (0.5, 0.7, 1.0), "grey", 20 * i) for i in range(3)]
+
+ROOMS = [
+    white_furnace("wedge-furnace", "5 degree wedge", WEDGE, along_wedge(5), {"wedge.obj": prism(wedge(5, 2), 2)}),
+    white_furnace("comb-furnace", "comb of fins", [*shell(HALL, "grey"), *fins("grey")], between_fins()),
+    white_furnace("ball-furnace", "ball contact", [*shell(HALL, "grey"), *BALL], about_contact(), {"ball.obj": ball_on_floor()}),
+    white_furnace("slot-furnace", "slot of 0.1 mm", [*shell(HALL, "grey"), *BLOCKS],
+                  joined(row((1.49999, 1.0, 0), (1.49999, 1.5, 0), (0, 0, 1), 4), row((1.49995, 1.3, 0.001), (1.49995, 1.3, 0.79), (1, 0, 0), 8))),
+    white_furnace("contact-furnace", "1 mm above the floor", [*shell(HALL, "grey"), *FLOATING],
+                  joined(row((1.01, 1.2, 0), (1.5, 1.2, 0), (0, 0, 1), 6), row((1.01, 1.3, 0.001), (1.4, 1.3, 0.001), (0, 0, -1), 6))),
+    white_furnace("desk-furnace", "plane through furniture", [*shell(HALL, "grey"), *DESKS],
+                  joined(row((0.8501, 0.7, 0.75), (0.8501, 1.3, 0.75), (0, 0, 1), 5), grid((1.9, 0.1, 0.75), (1, 0, 0), (0, 0.7, 0), 4, 2))),
+]
