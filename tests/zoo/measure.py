@@ -16,6 +16,7 @@ from kalos.summary import field_value
 from kalos.validate import OFFSET
 
 CONFIDENCE = 0.95
+FAR = 0.10  # relative deviation with which a value has deserved its flag, whatever its interval
 GOAL = 0.90  # least share of unflagged 95 % intervals that hold the truth
 DOUBT = 0.01  # chance that the seeds of a method that just reaches it fall so low
 
@@ -41,6 +42,7 @@ class Figures:
     unflagged_holds: float
     flagged_holds: float
     flagged: float  # share of the values
+    deserved: float  # share of the flagged: the interval misses the truth, or the value is off by more than FAR
     mean_off: float  # mean relative deviation
     largest: float  # largest deviation, standard errors
     rms: float  # relative
@@ -81,6 +83,7 @@ def judge(room, method, solves, truth, noise):
     in_errors = np.divide(beyond, spread, out=np.where(beyond > 0, np.inf, 0.0), where=spread > 0)
     variance = np.mean(np.maximum(off**2 - noise**2, 0) / truth**2)
     return Figures(room, method, held.mean(), share(held, trusted), share(held, ~trusted), float(np.mean(~trusted)),
+                   share(~held | (np.abs(off) > FAR * truth), ~trusted),
                    float(np.mean(off / truth)), float(in_errors.max()), float(np.sqrt(variance)),
                    float(solves.seconds.mean() * variance / 1e-4), float(solves.seconds.mean()), below(held, trusted))
 
@@ -99,7 +102,7 @@ def below(held, trusted):
     return bool(upper < GOAL)
 
 
-TITLES = (f"{'room':<26} {'method':<12} {'holds':>6} {'unfl.':>6} {'flag.':>6} {'flagged':>8} {'mean off':>9} {'largest':>9} {'rms':>8} "
+TITLES = (f"{'room':<26} {'method':<12} {'holds':>6} {'unfl.':>6} {'flag.':>6} {'flagged':>8} {'deserved':>8} {'mean off':>9} {'largest':>9} {'rms':>8} "
           f"{'s to 1 %':>9} {'cpu s':>8}")
 
 
@@ -108,8 +111,24 @@ def line(one):
         return f"{'-':>{width}}" if np.isnan(value) else f"{100 * value:>{width}.{digits}f}"
 
     return (f"{one.room:<26} {one.method:<12} {percent(one.holds)} {percent(one.unflagged_holds)} {percent(one.flagged_holds)} "
-            f"{percent(one.flagged, 1, 8)} {percent(one.mean_off, 2, 9)} {one.largest:>9.3g} {percent(one.rms, 2, 8)} "
+            f"{percent(one.flagged, 1, 8)} {percent(one.deserved, 0, 8)} {percent(one.mean_off, 2, 9)} {one.largest:>9.3g} {percent(one.rms, 2, 8)} "
             f"{one.seconds_to_one:>9.3g} {one.seconds:>8.3g}{'  below the goal' if one.sure_below else ''}")
+
+
+def over_all(rows, ordinary):
+    """What the zoo as a whole says about flags, per method; every room counts the same."""
+    texts = []
+    for method in dict.fromkeys(one.method for one in rows):
+        own = [one for one in rows if one.method == method]
+        reaching = np.array([one.unflagged_holds for one in own if not np.isnan(one.unflagged_holds)])
+        text = f"{method}: unflagged intervals hold in 90 to 98 % in {np.sum((reaching >= GOAL) & (reaching <= 0.98))} of {len(own)} rooms"
+        text += f", in less in {np.sum(reaching < GOAL)}"
+        deserved, weights = (np.array([getattr(one, name) for one in own]) for name in ("deserved", "flagged"))
+        if weights.any():
+            text += f"; of the flagged values {100 * np.average(np.nan_to_num(deserved), weights=weights):.0f} % deserve it"
+        plain = [one.flagged for one in own if one.room in ordinary]
+        texts.append(text + (f"; in ordinary rooms {100 * np.mean(plain):.2f} % are flagged" if plain else ""))
+    return texts
 
 
 def write_csv(path, rows):

@@ -25,8 +25,7 @@ class Room:
     slack: float = 0.0  # relative, by which the scene may differ from what `exact` is of
     files: dict = field(default_factory=dict)  # name: text of what the scene refers to
     traced: dict = None  # what the tracer solves in its place: a part that sends the receivers the same light
-    portals: tuple = ()  # openings (origin, u, v) through which all light comes to the receivers, u x v towards them
-    samples: int = 100_000  # of the tracer per receiver
+    portals: tuple = ()  # rectangles (origin, u, v) that all light passes on its way to the receivers, in this order, u x v onward
     ordinary: bool = False  # nothing about it is hard
 
     def truth(self):
