@@ -6,6 +6,7 @@ import lamps
 import many
 import mirrors
 import neighbours
+import odd
 import openings
 
-ROOMS = [room for kind in (lamps, neighbours, openings, edges, mirrors, gloss, many) for room in kind.ROOMS]
+ROOMS = [room for kind in (lamps, neighbours, openings, edges, mirrors, gloss, many, odd) for room in kind.ROOMS]
