@@ -1,18 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Edges, contacts and narrow gaps, where the geometric kernel is unbounded."""
+from typing import NamedTuple
+
 import numpy as np
 
 from closed import furnace
 from room import Room
 from shapes import box, grid, joined, lamp, obj, row, scene, shell, sphere
 
-FURNACE = "closed form: white furnace, M0/(1 - rho) everywhere"
+FURNACE, TRACED = "closed form: white furnace, M0/(1 - rho) everywhere", "path tracer of the zoo"
 GREY, EXITANCE = 0.6, 100.0
 LUMINOUS = {"grey": {"reflectance": GREY, "exitance": EXITANCE}}
-
-
-def white_furnace(name, kind, surfaces, receivers, files=None):
-    return Room(name, kind, scene(LUMINOUS, surfaces), receivers, FURNACE, furnace(GREY, EXITANCE), files=files or {})
 
 
 def prism(profile, length):
@@ -58,42 +56,56 @@ def about_contact(center=(1.5, 1.2), nearest=0.003):
     return np.array([[center[0] + d * np.cos(2.4 * i), center[1] + d * np.sin(2.4 * i), 0, 0, 0, 1] for i, d in enumerate(distances)])
 
 
-HALL, BALL = (3, 2.5, 2), [{"name": "ball", "file": "ball.obj", "material": "grey"}]
-WEDGE = [{"name": "wedge", "file": "wedge.obj", "material": "grey"}]
-WEDGE_FILE, BALL_FILE = {"wedge.obj": prism(wedge(5, 2), 2)}, {"ball.obj": ball_on_floor()}
-BLOCKS = [box("west", (0.99995, 1.2, 0.4), (1, 1, 0.8), "grey"), box("east", (2, 1.2, 0.4), (1, 1, 0.8), "grey")]
-IN_SLOT = joined(row((1.49999, 1.0, 0), (1.49999, 1.5, 0), (0, 0, 1), 4), row((1.49995, 1.3, 0.001), (1.49995, 1.3, 0.79), (1, 0, 0), 8))
-FLOATING = [box("plate", (1.5, 1.2, 0.051), (1, 1, 0.1), "grey")]
-BELOW_PLATE = joined(row((1.01, 1.2, 0), (1.5, 1.2, 0), (0, 0, 1), 6), row((1.01, 1.3, 0.001), (1.4, 1.3, 0.001), (0, 0, -1), 6))
-DESKS = [box(f"desk{i}", (0.6 + 0.9 * i, 1.0 + 0.3 * i, 0.5), (0.5, 0.7, 1.0), "grey", 20 * i) for i in range(3)]
-AMONG_DESKS = joined(row((0.8501, 0.7, 0.75), (0.8501, 1.3, 0.75), (0, 0, 1), 5), grid((1.9, 0.1, 0.75), (1, 0, 0), (0, 0.7, 0), 4, 2))
-SHELVES = [box(f"shelf{i}", (0.2, 1.2, 0.2 + 0.3 * i), (0.4, 1.0, 0.02), "grey") for i in range(6)]
-IN_SHELVES = joined(row((0.01, 1.1, 0.811), (0.39, 1.1, 0.811), (0, 0, 1), 6), row((0, 1.3, 0.82), (0, 1.3, 1.08), (1, 0, 0), 6))
-INSIDE = {"comb": ([*shell(HALL, "grey"), *fins("grey")], between_fins(), {}), "ball": ([*shell(HALL, "grey"), *BALL], about_contact(), BALL_FILE),
-          "slot": ([*shell(HALL, "grey"), *BLOCKS], IN_SLOT, {}), "contact": ([*shell(HALL, "grey"), *FLOATING], BELOW_PLATE, {}),
-          "desk": ([*shell(HALL, "grey"), *DESKS], AMONG_DESKS, {}), "shelf": ([*shell(HALL, "grey"), *SHELVES], IN_SHELVES, {}),
-          "wedge": (WEDGE, along_wedge(5), WEDGE_FILE)}
-KINDS = {"comb": "comb of fins", "ball": "ball contact", "slot": "slot of 0.1 mm", "contact": "1 mm above the floor",
-         "desk": "plane through furniture", "shelf": "shelves", "wedge": "5 degree wedge"}
-
-
 def down_gap(x, y, top, nearest, farthest):
     """Receivers down a side of a gap, the normal along x."""
     return np.array([[x, y, top - d, 1, 0, 0] for d in np.geomspace(nearest, farthest, 10)])
 
 
-# Deeper in the gap it is too dark for any truth.
-NEAR_MOUTH = {"comb": down_gap(1.05, 1.1, 0.5, 0.001, 0.05), "slot": down_gap(1.49995, 1.3, 0.8, 0.00002, 0.0005),
-              "contact": np.array([[1 + d, 1.3, 0, 0, 0, 1] for d in np.geomspace(0.0002, 0.01, 10)])}
+def surface(name):
+    return {"name": name, "file": f"{name}.obj", "material": "grey"}
 
 
-def lit(name, luminaire):
-    """The same by a lamp: of what the furnace says nothing, shadows and steep gradients."""
-    surfaces, receivers, files = INSIDE[name]
-    receivers = NEAR_MOUTH.get(name, receivers)
-    return Room(f"{name}-lamp", KINDS[name], scene({"grey": GREY}, surfaces, [luminaire]), receivers, "path tracer of the zoo", files=files)
+class Place(NamedTuple):
+    """What is made into two rooms: a white furnace, and one lit by a lamp."""
+
+    kind: str
+    surfaces: list
+    receivers: np.ndarray
+    shallow: np.ndarray = None  # receivers by the lamp, where others are too dark for any truth
+    files: dict = {}
+    light: tuple = (1.6, 1.0, 1.6)
+
+    def furnace(self, name):
+        return Room(f"{name}-furnace", self.kind, scene(LUMINOUS, self.surfaces), self.receivers, FURNACE, furnace(GREY, EXITANCE),
+                    files=self.files)
+
+    def lit(self, name):
+        receivers = self.receivers if self.shallow is None else self.shallow
+        return Room(f"{name}-lamp", self.kind, scene({"grey": GREY}, self.surfaces, [lamp(self.light)]), receivers, TRACED,
+                    files=self.files)
 
 
-CEILING_LAMP = lamp((1.6, 1.0, 1.6))
-ROOMS = [white_furnace(f"{name}-furnace", KINDS[name], *INSIDE[name]) for name in INSIDE] + \
-    [lit(name, lamp((1.7, 1.2, 0.07)) if name == "wedge" else CEILING_LAMP) for name in INSIDE]
+HALL = shell((3, 2.5, 2), "grey")
+BLOCKS = [box("west", (0.99995, 1.2, 0.4), (1, 1, 0.8), "grey"), box("east", (2, 1.2, 0.4), (1, 1, 0.8), "grey")]
+PLATE = box("plate", (1.5, 1.2, 0.051), (1, 1, 0.1), "grey")
+DESKS = [box(f"desk{i}", (0.6 + 0.9 * i, 1.0 + 0.3 * i, 0.5), (0.5, 0.7, 1.0), "grey", 20 * i) for i in range(3)]
+SHELVES = [box(f"shelf{i}", (0.2, 1.2, 0.2 + 0.3 * i), (0.4, 1.0, 0.02), "grey") for i in range(6)]
+PLACES = {
+    "comb": Place("comb of fins", [*HALL, *fins("grey")], between_fins(), down_gap(1.05, 1.1, 0.5, 0.001, 0.05)),
+    "ball": Place("ball contact", [*HALL, surface("ball")], about_contact(), files={"ball.obj": ball_on_floor()}),
+    "slot": Place("slot of 0.05 mm", [*HALL, *BLOCKS],
+                  joined(row((1.49999, 1.0, 0), (1.49999, 1.5, 0), (0, 0, 1), 4),
+                         row((1.49995, 1.3, 0.001), (1.49995, 1.3, 0.79), (1, 0, 0), 8)),
+                  down_gap(1.49995, 1.3, 0.8, 0.00002, 0.0005)),
+    "contact": Place("1 mm above the floor", [*HALL, PLATE],
+                     joined(row((1.01, 1.2, 0), (1.5, 1.2, 0), (0, 0, 1), 6), row((1.01, 1.3, 0.001), (1.4, 1.3, 0.001), (0, 0, -1), 6)),
+                     np.array([[1 + d, 1.3, 0, 0, 0, 1] for d in np.geomspace(0.0002, 0.01, 10)])),
+    "desk": Place("plane through furniture", [*HALL, *DESKS],
+                  joined(row((0.8501, 0.7, 0.75), (0.8501, 1.3, 0.75), (0, 0, 1), 5),
+                         grid((1.9, 0.1, 0.75), (1, 0, 0), (0, 0.7, 0), 4, 2))),
+    "shelf": Place("shelves", [*HALL, *SHELVES],
+                   joined(row((0.01, 1.1, 0.811), (0.39, 1.1, 0.811), (0, 0, 1), 6), row((0, 1.3, 0.82), (0, 1.3, 1.08), (1, 0, 0), 6))),
+    "wedge": Place("5 degree wedge", [surface("wedge")], along_wedge(5), files={"wedge.obj": prism(wedge(5, 2), 2)},
+                   light=(1.7, 1.2, 0.07)),
+}
+ROOMS = [place.furnace(name) for name, place in PLACES.items()] + [place.lit(name) for name, place in PLACES.items()]

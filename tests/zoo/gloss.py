@@ -2,8 +2,9 @@
 """Gloss: lobes are spikes by direction, as edges are spikes by distance."""
 import numpy as np
 
+from glossy_plane import glossy_plane
 from room import Room
-from shapes import box, grid, joined, lamp, quad, room_places, scene, shell
+from shapes import box, grid, joined, lamp, quad, room_places, row, scene, shell
 
 SIZE = (4, 3, 2.5)
 TRACED = "path tracer of the zoo"
@@ -19,6 +20,15 @@ def polished_floor(name, roughness):
     materials = {"wall": 0.5, "white": 0.8, "tiles": glossy(0.5, roughness)}
     return Room(name, "glossy floor", scene(materials, shell(SIZE, {**PALE, "floor": "tiles"}), [lamp((1.6, 1.3, 1.7))]),
                 room_places(SIZE)[3:], TRACED)
+
+
+def plane(name, roughness, height):
+    """A lamp over a polished plane 80 m wide and nothing else; receivers look down on it."""
+    material, position = glossy(0.5, roughness), (0.0, 0.0, height)
+    surfaces = [quad("plane", (-40, -40, 0), (80, 0, 0), (0, 80, 0), "plane")]
+    receivers = joined(row((0.1, 0.2, 1.2), (3.0, 0.9, 1.2), (0, 0, -1), 6), row((1.5, -0.7, 0.4), (1.5, -0.7, 2.4), (-1, 0, 0), 6))
+    return Room(name, "lamp over a glossy plane", scene({"plane": material}, surfaces, [lamp(position)]), receivers,
+                "quadrature over the plane", glossy_plane(1000.0, position, 0.3, 0.5, roughness), slack=0.0005)
 
 
 def block_foot(name, roughness):
@@ -48,6 +58,7 @@ def all_glossy(name, kind, walls, floor, block, luminous):
 
 ROOMS = [
     *(polished_floor(f"gloss-floor-{roughness:g}", roughness) for roughness in (0.05, 0.1, 0.2, 0.3)),
+    plane("gloss-plane-0.05", 0.05, 1.0), plane("gloss-plane-0.2", 0.2, 1.0), plane("gloss-plane-near", 0.2, 0.01),
     block_foot("gloss-foot-0.05", 0.05), block_foot("gloss-foot-0.2", 0.2),
     lamp_above_plate("gloss-plate-0.05", 0.05), lamp_above_plate("gloss-plate-0.2", 0.2),
     all_glossy("gloss-4-percent", "4 % lobes", glossy(0.04, 0.3, 0.6), glossy(0.04, 0.2, 0.3), glossy(0.04, 0.15, 0.5), True),

@@ -67,7 +67,8 @@ def housed(name, opening, center=(2.1, 1.3, 2.2), half=0.15):
 def shade(center, radius, height, sides=12):
     """The text of an OBJ file: a thin tube about a vertical axis, open above and below."""
     turn = 2 * np.pi * np.arange(sides) / sides
-    vertices = [(center[0] + radius * np.cos(a), center[1] + radius * np.sin(a), center[2] + z) for z in (-height / 2, height / 2) for a in turn]
+    x, y, z = center
+    vertices = [(x + radius * np.cos(a), y + radius * np.sin(a), z + up) for up in (-height / 2, height / 2) for a in turn]
     return obj(vertices, [(i, (i + 1) % sides, (i + 1) % sides + sides, i + sides) for i in range(sides)])
 
 

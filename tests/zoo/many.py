@@ -46,7 +46,8 @@ def many_lamps(name, columns, rows, near=None):
 PANELS = [panel((x, y, 2.499), (0.6, 0, 0), (0, 0.6, 0), (0, 0, -1), 2000, f"panel{x}-{y}") for x in (1.0, 3.0) for y in (0.8, 2.2)]
 SPARK = [quad("spark", (1.0, 1.2, 2.45), (0, 0.05, 0), (0.05, 0, 0), "glow")]
 ROOMS = [
-    coloured_furnace("colour-furnace", room_places(SIZE)), coloured_furnace("colour-furnace-one", row((2.6, 2.1, 0), (2.6, 2.1, 0), (0, 0, 1), 1)),
+    coloured_furnace("colour-furnace", room_places(SIZE)),
+    coloured_furnace("colour-furnace-one", np.array([[2.6, 2.1, 0, 0, 0, 1]])),
     plain("office", "ordinary", PANELS), plain("downlight", "ordinary", [lamp((1.8, 1.3, 2.5), 2000, "lambertian")]),
     plain("floor-lamp", "ordinary", [lamp((1.1, 2.2, 1.7))]),
     plain("few-receivers", "few receivers", PANELS, receivers=np.array([(1.3, 2.4, 0, 0, 0, 1), (2.2, 0.6, 0.75, 0, 0, 1.0)])),

@@ -102,8 +102,8 @@ def below(held, trusted):
     return bool(upper < GOAL)
 
 
-TITLES = (f"{'room':<26} {'method':<12} {'holds':>6} {'unfl.':>6} {'flag.':>6} {'flagged':>8} {'deserved':>8} {'mean off':>9} {'largest':>9} {'rms':>8} "
-          f"{'s to 1 %':>9} {'cpu s':>8}")
+TITLES = (f"{'room':<26} {'method':<12} {'holds':>6} {'unfl.':>6} {'flag.':>6} {'flagged':>8} {'deserved':>8} {'mean off':>9} "
+          f"{'largest':>9} {'rms':>8} {'s to 1 %':>9} {'cpu s':>8}")
 
 
 def line(one):
@@ -111,8 +111,8 @@ def line(one):
         return f"{'-':>{width}}" if np.isnan(value) else f"{100 * value:>{width}.{digits}f}"
 
     return (f"{one.room:<26} {one.method:<12} {percent(one.holds)} {percent(one.unflagged_holds)} {percent(one.flagged_holds)} "
-            f"{percent(one.flagged, 1, 8)} {percent(one.deserved, 0, 8)} {percent(one.mean_off, 2, 9)} {one.largest:>9.3g} {percent(one.rms, 2, 8)} "
-            f"{one.seconds_to_one:>9.3g} {one.seconds:>8.3g}{'  below the goal' if one.sure_below else ''}")
+            f"{percent(one.flagged, 1, 8)} {percent(one.deserved, 0, 8)} {percent(one.mean_off, 2, 9)} {one.largest:>9.3g} "
+            f"{percent(one.rms, 2, 8)} {one.seconds_to_one:>9.3g} {one.seconds:>8.3g}{'  below the goal' if one.sure_below else ''}")
 
 
 def over_all(rows, ordinary):

@@ -66,7 +66,8 @@ def hut(name):
     size, ground = (3, 4, 2.5), quad("ground", (-40, -40, 0), (80, 0, 0), (0, 80, 0), "grass")
     materials = {"grass": 0.2, "wood": 0.5}
     walls, light = shell(size, "wood", leave=("floor",)), lamp((1.3, 1.7, 2.1), 800.0, "lambertian")
-    masts = [lamp((x, y, 25), 5e5, "lambertian", (1.5 - x, 2 - y, -25), f"mast{i}") for i, (x, y) in enumerate([(-30, -25), (33, -25), (33, 29), (-30, 29)])]
+    masts = [lamp((x, y, 25), 5e5, "lambertian", (1.5 - x, 2 - y, -25), f"mast{i}")
+             for i, (x, y) in enumerate([(-30, -25), (33, -25), (33, 29), (-30, 29)])]
     return Room(name, "hut under stadium lights", scene(materials, [ground, *walls], [light, *masts]), room_places(size), TRACED,
                 traced=scene(materials, [ground, *walls], [light]))
 

@@ -23,7 +23,8 @@ def corridor(length=40):
 
 def card():
     """A black room with one white card, which alone sends light to where the lamp does not."""
-    surfaces = [*shell(SIZE, "black"), quad("card", (2.0, 1.2, 0.6), (0.2, 0, 0.05), (0, 0.3, 0), "white"), quad("screen", (1.2, 0.2, 1.5), (0, 2.6, 0), (2.0, 0, 0), "black")]
+    surfaces = [*shell(SIZE, "black"), quad("card", (2.0, 1.2, 0.6), (0.2, 0, 0.05), (0, 0.3, 0), "white"),
+                quad("screen", (1.2, 0.2, 1.5), (0, 2.6, 0), (2.0, 0, 0), "black")]
     receivers = joined(grid((1.4, 0.5, 1.49), (0, 2, 0), (1.6, 0, 0), 3, 4))
     return odd("card", "white card in a black room", surfaces, [lamp((0.6, 1.4, 1.2), 1000.0, "lambertian", (1, 0, -0.3))], receivers)
 
@@ -42,14 +43,16 @@ def globe(radius=0.15, center=(1.9, 1.3)):
     """A luminous ball on the floor; receivers around its contact as well."""
     points, faces = sphere(radius, 3, inwards=False)
     points = points - [0, 0, points[:, 2].min()] + [*center, 0]
-    near = [[center[0] + d * np.cos(2.4 * i), center[1] + d * np.sin(2.4 * i), 0, 0, 0, 1] for i, d in enumerate(np.geomspace(0.005, 0.5, 8))]
+    near = [[center[0] + d * np.cos(2.4 * i), center[1] + d * np.sin(2.4 * i), 0, 0, 0, 1]
+            for i, d in enumerate(np.geomspace(0.005, 0.5, 8))]
     return odd("globe", "luminous ball on the floor", [*shell(SIZE, FACES), {"name": "globe", "file": "globe.obj", "material": "glow"}], (),
                joined(room_places(SIZE), np.array(near)), {"globe.obj": obj(points, faces)})
 
 
 def far_away(offset=(3000.0, -2000.0, 500.0)):
     """A plain room kilometres from the origin."""
-    return odd("far-away", "far from the origin", shell(SIZE, FACES, offset), [lamp(np.add(offset, (1.8, 1.3, 2.2)))], room_places(SIZE, offset))
+    light = lamp(np.add(offset, (1.8, 1.3, 2.2)))
+    return odd("far-away", "far from the origin", shell(SIZE, FACES, offset), [light], room_places(SIZE, offset))
 
 
 ROOMS = [

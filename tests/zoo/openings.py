@@ -14,7 +14,8 @@ def partition(hole, width=3, height=2.5, x=3.0):
     """Four parts of a thin wall about a hole (y, z, width, height) in it."""
     y, z, w, h = hole
     parts = [((x, 0, 0), y, height), ((x, y + w, 0), width - y - w, height), ((x, y, 0), w, z), ((x, y, z + h), w, height - z - h)]
-    return [quad(f"partition{i}", origin, (0, a, 0), (0, 0, b), "white") for i, (origin, a, b) in enumerate(parts) if a > 0 and b > 0]
+    return [quad(f"partition{i}", origin, (0, a, 0), (0, 0, b), "white")
+            for i, (origin, a, b) in enumerate(parts) if a > 0 and b > 0]
 
 
 def behind(name, kind, hole):
@@ -48,7 +49,8 @@ def light_well(name, depth):
 
 def louvre(name, blades):
     """A dark and a lit room with slanted blades between them."""
-    surfaces = [*shell(SIZE, "white", name="dark-", leave=("right",)), *shell((3, 3, 2.5), "white", (3.1, 0, 0), "bright-", leave=("left",))]
+    surfaces = [*shell(SIZE, "white", name="dark-", leave=("right",)),
+                *shell(SIZE, "white", (3.1, 0, 0), "bright-", leave=("left",))]
     step = 2.5 / blades
     surfaces += [quad(f"blade{i}", (3, 0, i * step), (0.1, 0, 2 * step), (0, 3, 0), "white") for i in range(blades - 1)]
     surfaces += [quad("sill", (3, 0, 0), (0.1, 0, 0), (0, 3, 0), "white"), quad("lintel", (3, 0, 2.5), (0, 3, 0), (0.1, 0, 0), "white"),

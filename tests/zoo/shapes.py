@@ -46,11 +46,9 @@ def grid(origin, u, v, columns, rows):
                      for j in range(rows) for i in range(columns)])
 
 
-def row(start, end, normal, count, geometric=False):
-    """Receivers from `start` to `end`, both included; `geometric`: their distances from `start`'s first wall grow by a factor."""
-    start, end = np.asarray(start, float), np.asarray(end, float)
-    share = np.linspace(0, 1, count)[:, None]
-    points = start * (end / np.where(start == 0, 1, start)) ** share if geometric else start + share * (end - start)
+def row(start, end, normal, count):
+    """Receivers from `start` to `end`, both included."""
+    points = np.linspace(start, end, count)
     return np.hstack([points, np.broadcast_to(np.asarray(normal, float), points.shape)])
 
 

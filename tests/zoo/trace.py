@@ -61,8 +61,8 @@ def make(room, error, seconds):
     write_table(room, values, errors, [
         f"{samples} paths per {'opening' if room.portals else 'receiver'} in {batches} batches; the standard error is their spread",
         f"tests/zoo/trace.py --rooms {room.name} --error {error:g} --seconds {seconds:g}"])
-    print(f"{room.name:<26} {samples:>9} paths  rms error {100 * np.sqrt(np.mean(relative**2)):.2f} %, largest {100 * relative.max():.2f} %",
-          flush=True)
+    rms = np.sqrt(np.mean(relative**2))
+    print(f"{room.name:<26} {samples:>9} paths  rms error {100 * rms:.2f} %, largest {100 * relative.max():.2f} %", flush=True)
 
 
 def check(room, error, seconds):

@@ -7,8 +7,7 @@ What passes a portal for the first time is kept; the next stage starts as many w
 import numpy as np
 
 from tracer_paths import LONGEST, WIDTH, lamp_density, passes, pick, to_receiver
-from tracer_surface import add, cosine_direction, fast, hit, scaled, scatter, vector
-from tracer_surface import dot, reflection
+from tracer_surface import add, cosine_direction, dot, fast, hit, reflection, scaled, scatter, vector
 
 
 @fast
@@ -65,10 +64,10 @@ def in_stages(s, portals, places, normals, samples, seed):
     for i in range(samples):
         flux[i] = emitted(s, starts[i]) / samples
     for stage in range(len(portals) + 1):
-        portal = portals[stage:stage + 1]
+        portal, sends = portals[stage:stage + 1], stage >= len(portals) - 1
         count, total = 0, 0.0
         for i in range(samples):
-            passed = follow(s, portal, starts[i], flux[i], vertex, places, normals, found, stage >= len(portals) - 1) if flux[i] > 0 else 0.0
+            passed = follow(s, portal, starts[i], flux[i], vertex, places, normals, found, sends) if flux[i] > 0 else 0.0
             if passed > 0:
                 kept[count], flux[count] = starts[i], passed
                 count, total = count + 1, total + passed

@@ -144,7 +144,8 @@ def lobe(s, i, n, wi, wo):
         return 0.0
     half = unit(add(wi, 1.0, wo))
     d = normals(s.alpha[i], dot(half, n))
-    return (1 - s.mirror[i]) * d * schlick(s.specular[i], dot(half, wo)) / ((1 + smith(s.alpha[i], mi) + smith(s.alpha[i], mo)) * 4 * mi * mo)
+    masking = 1 / (1 + smith(s.alpha[i], mi) + smith(s.alpha[i], mo))
+    return (1 - s.mirror[i]) * d * schlick(s.specular[i], dot(half, wo)) * masking / (4 * mi * mo)
 
 
 @fast
