@@ -13,7 +13,6 @@ from tracer_surface import NEAR, add, cosine_direction, dot, fast, hit, lobe, re
 LONGEST = 512  # vertices of a part; longer ones have never been seen at reflectances up to 0.95
 PLACE, NORMAL, BACK, FLUX, FIRST, REST, FACE = 0, 3, 6, 9, 10, 11, 12  # columns of a vertex
 WIDTH = 13
-NO_PORTALS = np.zeros((0, 4, 3))
 
 
 @fast
@@ -102,17 +101,16 @@ def light_part(s, vertices):
     flux = s.lamp_flux.sum()
     first = 1 / leaving
     rest = lamp_cosine(s, k, direction) / (density * leaving) if s.lamp_kind[k] == TRIANGLE else 0.0
-    return walk(s, NO_PORTALS, place, direction, flux, first, rest, vertices)
+    return walk(s, place, direction, flux, first, rest, vertices)
 
 
 @fast
-def walk(s, portals, place, direction, flux, first, rest, vertices):
-    """Vertices of light that leaves a place in a direction, until it passes a portal."""
+def walk(s, place, direction, flux, first, rest, vertices):
+    """Vertices of light that leaves a place in a direction."""
     count = 0
     while count < LONGEST:
-        start = place
         face, place, n, first, rest = step(s, place, direction, first, rest)
-        if face < 0 or passes(portals, start, direction, place):
+        if face < 0:
             break
         back = scaled(-1.0, direction)
         v = vertices[count]

@@ -4,7 +4,7 @@ import numpy as np
 from numba import njit
 
 NEAR = 1e-9  # of a ray's length or m: what lies nearer to its start is the surface that it leaves
-fast = njit(cache=True, fastmath=False, error_model="numpy", inline="never")
+fast = njit(error_model="numpy")  # not cached: numba would not notice a change in what a function calls
 
 
 @fast
