@@ -36,4 +36,4 @@ def area_lamps(s, place, normal, triangles):
     if not (here > 0 and leaving > 0 and visible(s, place, point)):
         return 0.0
     rival = here * lamp_cosine(s, k, scaled(-1.0, to)) / (np.pi * d2 * density) if s.lamp_kind[k] == TRIANGLE else 0.0
-    return s.lamp_flux.sum() * leaving * here / d2 / (1 + rival)
+    return s.lamp_total * leaving * here / d2 / (1 + rival)

@@ -18,7 +18,7 @@ def highlight(s, place, normal):
     for i in range(len(s.gloss)):
         if s.gloss[i] >= 0:
             total += from_triangle(s, i, k, lamp, place, normal)
-    return total * s.lamp_flux.sum() / s.lamp_flux[k]
+    return total * s.lamp_total / s.lamp_flux[k]
 
 
 @fast

@@ -19,7 +19,7 @@ WIDTH = 13
 def pick(s):
     """A lamp in proportion to its flux, a point on it, and the density of both (1/m2; of points: 1)."""
     k = min(np.searchsorted(s.lamp_sum, np.random.random()), len(s.lamp_flux) - 1)
-    share = s.lamp_flux[k] / s.lamp_flux.sum()
+    share = s.lamp_flux[k] / s.lamp_total
     a, b = np.random.random(), np.random.random()
     if s.lamp_kind[k] == TRIANGLE and a + b > 1:
         a, b = 1 - a, 1 - b
@@ -98,7 +98,7 @@ def light_part(s, vertices):
     leaving = lamp_density(s, k, direction)
     if leaving <= 0:
         return 0
-    flux = s.lamp_flux.sum()
+    flux = s.lamp_total
     first = 1 / leaving
     rest = lamp_cosine(s, k, direction) / (density * leaving) if s.lamp_kind[k] == TRIANGLE else 0.0
     return walk(s, place, direction, flux, first, rest, vertices)
@@ -195,14 +195,14 @@ def next_event(s, face, place, n, back, first, rest, seen):
     if s.lamp_kind[k] == TRIANGLE:
         others += forward * at_lamp / (d2 * density)
     # Flux times density of leaving over cosine is intensity over area: of points the density is 1.
-    return s.lamp_flux.sum() * leaving * f * here / d2 / (1 + others)
+    return s.lamp_total * leaving * f * here / d2 / (1 + others)
 
 
 @fast
 def receiver_part(s, place, direction, beta, first, vertices, count):
     """What the part that starts with this ray gathers. `first` is 0 for a given ray, 1/density for one that was drawn."""
     total, rest = 0.0, 0.0
-    share = 1 / s.lamp_flux.sum()
+    share = 1 / s.lamp_total
     for depth in range(LONGEST):
         face, place, n, first, rest = step(s, place, direction, first, rest)
         if face < 0:

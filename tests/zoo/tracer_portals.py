@@ -29,7 +29,7 @@ def arriving(s, portal, x, vertices, count):
     cosine, leaving = dot(m, to), lamp_density(s, k, to)
     if s.lamp_kind[k] == TRIANGLE or not (cosine > 0 and leaving > 0 and visible(s, point, x)):
         return 0.0, to
-    return twice * s.lamp_flux.sum() * leaving * cosine / d2, to
+    return twice * s.lamp_total * leaving * cosine / d2, to
 
 
 @fast

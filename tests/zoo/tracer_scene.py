@@ -39,6 +39,7 @@ class Arrays(NamedTuple):
     lamp_area: np.ndarray
     lamp_flux: np.ndarray
     lamp_sum: np.ndarray  # cumulative shares of the flux
+    lamp_total: float  # lm
 
 
 def polygons(surface, files):
@@ -142,7 +143,7 @@ def all_lamps(scene, corner, u, v, normal, area, exitance):
         rows.append((TRIANGLE, corner[i], normal[i], u[i], v[i], area[i], exitance[i] * area[i]))
     columns = [np.array(column) for column in zip(*rows)]
     flux = columns[-1].astype(float)
-    return [*columns[:-1], flux, np.cumsum(flux) / flux.sum()], emitter
+    return [*columns[:-1], flux, np.cumsum(flux) / flux.sum(), float(flux.sum())], emitter
 
 
 def lobe_albedo(specular, alpha):
