@@ -26,6 +26,8 @@ SECTIONS = (
     ("slopes", "error against trajectories: -0.5 independent, steeper for Sobol's points", ["build/bin/KernelTests", "--gtest_also_run_disabled_tests", "--gtest_filter=*ErrorSlopes*"]),
     ("truths", "every method on every truth, 200 seeds", [PYTHON, "tests/long_truths.py", "200"]),
     ("coverage", "intervals near edges, 200 seeds; CIE 171", ["build/bin/kalos", "validate", "--method", "compensated", "--figures"]),
+    ("zoo", "hard rooms: intervals, flags and times of both methods, each room with a truth of its own", [PYTHON, "tests/zoo/run.py", "--out", "out/long/zoo"]),
+    ("zoo-truths", "the zoo's path tracer on the closed forms; needs numba", [PYTHON, "tests/zoo/trace.py", "--check", "--seconds", "10"]),
     ("kills", "50 SIGKILLs, each resumed to bitwise the same numbers",
      ["env", "KALOS_KILLS=50", f"KALOS={ROOT}/build/bin/kalos", PYTHON, "-m", "pytest", "-q", "-s", "-p", "no:cacheprovider",
       "tests/command/test_checkpoint.py", "-k", "killed"]),
