@@ -3,8 +3,8 @@
 #include <QApplication>
 #include <QCommandLineParser>
 
-#include "Application.h"
-#include "MainWindow.h"
+#include "window/Application.h"
+#include "window/MainWindow.h"
 
 int main(int argc, char* argv[])
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edge Studio's probes, without a widget: which point is picked, the line across an edge, convergence.
 #include "ModelTest.h"
-#include "Picking.h"
-#include "Probe.h"
+#include "probe/Probe.h"
+#include "scene/Picking.h"
 #include "vtkKalosIlluminance.h"
 
 using namespace studio;

@@ -3,9 +3,9 @@
 #include <QElapsedTimer>
 #include <QSignalSpy>
 
-#include "DataSets.h"
 #include "ModelTest.h"
-#include "Workbench.h"
+#include "base/DataSets.h"
+#include "session/Workbench.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edge Studio's scenes: what their files bring, what is refused, how large ones are painted.
-#include "DataSets.h"
 #include "ModelTest.h"
-#include "PaintedSurface.h"
-#include "Triangles.h"
-#include "Workbench.h"
+#include "base/DataSets.h"
+#include "scene/PaintedSurface.h"
+#include "scene/Triangles.h"
+#include "session/Workbench.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edge Studio's settings and the way results are shown: undo, JSON, ranges, photographs.
-#include "DataSets.h"
 #include "ModelTest.h"
-#include "ToneMapping.h"
-#include "Workbench.h"
+#include "base/DataSets.h"
+#include "results/ToneMapping.h"
+#include "session/Workbench.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"

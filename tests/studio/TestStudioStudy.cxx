@@ -2,9 +2,9 @@
 // Edge Studio's study, without a widget: its cells, what they are measured against, its runs and its JSON.
 #include <QJsonArray>
 
-#include "DataSets.h"
 #include "ModelTest.h"
-#include "Workbench.h"
+#include "base/DataSets.h"
+#include "session/Workbench.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkKalosArrayNames.h"

@@ -9,9 +9,9 @@
 #include <malloc.h>
 #endif
 
-#include "Export.h"
-#include "Session.h"
 #include "WindowTest.h"
+#include "results/Export.h"
+#include "session/Session.h"
 #include "vtkDataArray.h"
 
 using namespace studio;

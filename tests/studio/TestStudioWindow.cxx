@@ -8,9 +8,9 @@
 #include <QSpinBox>
 #include <QTabWidget>
 
-#include "ProbePanel.h"
-#include "RecentFiles.h"
 #include "WindowTest.h"
+#include "panels/ProbePanel.h"
+#include "session/RecentFiles.h"
 #include "vtkInteractorObserver.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"

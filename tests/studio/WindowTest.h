@@ -10,9 +10,9 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
-#include "Application.h"
 #include "Helpers.h"
-#include "MainWindow.h"
+#include "window/Application.h"
+#include "window/MainWindow.h"
 
 class WindowTest : public QObject
 {

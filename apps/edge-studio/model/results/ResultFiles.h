@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Results in files of VTK, with everything that they hold. Each function throws Problem.
+#ifndef studio_ResultFiles_h
+#define studio_ResultFiles_h
+
+#include "results/Result.h"
+
+namespace studio
+{
+/// To NAME.vtm, and the folder NAME beside it. Of receivers.
+void writeResult(const Result& result, const QString& path);
+ResultPtr readResult(const MethodSettings& settings, const QString& path);
+
+/// To NAME.vti. Of a camera.
+void writeImage(const Result& image, const QString& path);
+ResultPtr readImage(const MethodSettings& settings, const QString& path);
+}  // namespace studio
+
+#endif

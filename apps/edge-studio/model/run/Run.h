@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One run of a plan in a thread of its own, which refines its result and can rest, go on and be stopped.
+#ifndef studio_Run_h
+#define studio_Run_h
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "results/Result.h"
+#include "run/RunPlan.h"
+
+namespace studio
+{
+class Run : public QObject
+{
+  Q_OBJECT
+
+public:
+  enum class State
+  {
+    Running,
+    Paused,
+    Finished,   ///< its goal is reached, result() is complete
+    Cancelled,  ///< result() is the last round's, or null
+    Failed      ///< problem() says why
+  };
+
+  /// Starts at once. `settings` are those of the plan's last step.
+  Run(RunPlan plan, const MethodSettings& settings, QObject* parent = nullptr);
+  Run(const ScenePtr& scene, vtkDataObject* receivers, const MethodSettings& settings)
+      : Run(planReceivers(*scene, receivers, settings), settings)
+  {
+  }
+  ~Run() override;  ///< cancels, and waits for the thread
+
+  const MethodSettings& settings() const { return this->Wanted; }
+  State state() const { return this->Now; }
+  bool active() const { return this->Now == State::Running || this->Now == State::Paused; }
+  ResultPtr result() const { return this->Latest; }
+  const QString& problem() const { return this->Problem; }
+  double progress() const { return this->Done; }  ///< [0, 1]
+  double elapsed() const;                         ///< s, pauses apart
+
+public slots:
+  void pause();
+  void resume();
+  void cancel();
+
+signals:
+  /// result() is newer; with many receivers, rounds that come faster than the event loop takes them are left out.
+  void refined();
+  void progressed();  ///< at most four times a second
+  void ended();       ///< state() is one of the last three
+
+private:
+  enum class Stage
+  {
+    Preview,
+    Round,
+    Last
+  };
+  void work();
+  QString solve(const RunStep& step, const std::function<void(vtkDataObject*)>& round);
+  bool restIfAsked();
+  void publish(vtkDataObject* data, Stage stage);
+  void setState(State state);
+
+  MethodSettings Wanted;
+  RunPlan Plan;
+
+  // Of the thread that owns this object.
+  State Now = State::Running;
+  ResultPtr Latest;
+  QString Problem;
+  double Done = 0;
+  QElapsedTimer Clock;
+  double ElapsedBefore = 0;
+
+  // Shared with the worker.
+  std::atomic<bool> Stop{false};
+  std::mutex Lock;  // guards Resting and Pending
+  std::condition_variable Wake;
+  bool Resting = false;
+  ResultPtr Pending;
+  std::thread Worker;
+};
+}  // namespace studio
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which point of what is shown lies under the cursor.
+#ifndef studio_Picking_h
+#define studio_Picking_h
+
+#include <array>
+#include <optional>
+
+#include "scene/SceneDocument.h"
+
+class vtkOBBTree;
+
+namespace studio
+{
+using Point = std::array<double, 3>;
+
+struct Pick
+{
+  Point position;  ///< m
+  Point normal;    ///< unit, of the receivers there
+  QString set;
+};
+
+class Picking
+{
+public:
+  /// Of these sets of the scene; those of single points can not be hit.
+  Picking(const ScenePtr& scene, const QStringList& sets);
+
+  /// The first thing from `from` on towards `to` that is seen: surfaces from their front, planes from both sides.
+  std::optional<Pick> first(const Point& from, const Point& to) const;
+
+private:
+  struct Target
+  {
+    QString name;
+    bool bothSides;
+    vtkSmartPointer<vtkPolyData> data;
+    vtkSmartPointer<vtkOBBTree> tree;
+  };
+  QVector<Target> Targets;
+};
+}  // namespace studio
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A session as a JSON file that reopens: scene, settings, display, camera and the finished results beside it.
+#ifndef studio_Session_h
+#define studio_Session_h
+
+#include <optional>
+
+#include "session/Workbench.h"
+
+namespace studio
+{
+/// Writes NAME.json and, in the folder NAME.results, a .vtm for each complete result and a .vti of a complete image.
+/// The scene's path is relative where it can be. Throws Problem. What was there before is replaced only when all has
+/// been written.
+void saveSession(const Workbench& bench, const CameraPreset& camera, const QString& path);
+
+/// Whether a JSON file is a session (and not a scene): its object has the key "kalos_edge_studio".
+bool isSession(const QString& path);
+
+/// Opens the scene of a session on the bench, with all that was saved; returns the camera. An image that was not
+/// complete is computed anew, from where it was seen. Throws Problem, and then the bench stays as it was.
+std::optional<CameraPreset> openSession(Workbench& bench, const QString& path);
+
+/// Where a session is kept that was not closed in an orderly way.
+QString autosavePath();
+
+/// Where the session is kept that was closed last.
+QString lastSessionPath();
+
+/// Removes a session and its results; nothing happens where there is none.
+void removeSession(const QString& path);
+}  // namespace studio
+
+#endif

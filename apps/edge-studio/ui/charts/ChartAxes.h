@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the values of a chart to places on paper.
+#ifndef studio_ChartAxes_h
+#define studio_ChartAxes_h
+
+#include <QPointF>
+#include <QRectF>
+#include <array>
+
+#include "results/Chart.h"
+
+namespace studio
+{
+struct Axis
+{
+  bool logarithmic = false;
+  std::array<double, 2> range{0, 1};
+
+  double fraction(double value) const;  ///< 0 at the lower end, 1 at the upper
+  QVector<double> ticks(int count) const;
+  QString label(double tick) const;
+};
+
+/// Ranges that hold all finite points of the series; a linear one is rounded outwards to its ticks.
+Axis xAxis(const Chart& chart);
+Axis yAxis(const Chart& chart);
+}  // namespace studio
+
+#endif

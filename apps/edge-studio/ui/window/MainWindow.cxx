@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "window/MainWindow.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QTabWidget>
+
+#include "panels/ComparePanel.h"
+#include "panels/ImagePanel.h"
+#include "panels/MethodPanel.h"
+#include "panels/ProbePanel.h"
+#include "panels/ShowPanel.h"
+#include "panels/SpeedPanel.h"
+#include "panels/StudyPanel.h"
+#include "results/Colours.h"
+#include "view/Pictures.h"
+#include "words/Wording.h"
+
+namespace studio
+{
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent)
+{
+  this->setWindowTitle(tr("Edge Studio"));
+  this->setAcceptDrops(true);
+  this->resize(1360, 840);
+  this->View = new SceneView;
+  this->Bar = new LegendBar;
+  this->Bar->setObjectName(QStringLiteral("legend"));
+  this->Image = new ImagePanel(&this->Bench, this->View);
+  this->Centre = new QTabWidget;
+  this->Centre->setObjectName(QStringLiteral("centre"));
+  this->Centre->setDocumentMode(true);
+  this->Centre->addTab(this->View, tr("Scene"));
+  this->Centre->addTab(this->Image, tr("Image"));
+  auto* centre = new QWidget;
+  auto* layout = new QHBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(this->Centre, 1);
+  layout->addWidget(this->Bar);
+  this->setCentralWidget(centre);
+  this->makePanels();
+  this->makeMenus();
+
+  connect(&this->Bench, &Workbench::sceneChanged, this, &MainWindow::showScene);
+  connect(&this->Bench, &Workbench::resultsChanged, this, &MainWindow::showResult);
+  connect(&this->Bench, &Workbench::displayChanged, this, &MainWindow::showResult);
+  connect(&this->Bench, &Workbench::displayChanged, this, &MainWindow::updatePicking);
+  connect(this->Image, &ImagePanel::changed, this, &MainWindow::showLegend);
+  connect(this->Image, &ImagePanel::saveAsked, this, &MainWindow::exportImageAs);
+  connect(this->Centre, &QTabWidget::currentChanged, this, &MainWindow::showLegend);
+  connect(&this->Bench, &Workbench::problem, this, &MainWindow::complain);
+  connect(&this->Bench, &Workbench::runBegan, this, &MainWindow::autosave);
+  connect(&this->Bench, &Workbench::runEnded, this, &MainWindow::autosave);
+  connect(&this->Bench.image(), &CameraImage::ended, this, &MainWindow::autosave);
+}
+
+void MainWindow::makePanels()
+{
+  auto dock = [this](const QString& title, const QString& name, QWidget* panel) {
+    auto* made = new QDockWidget(title);
+    made->setObjectName(name);
+    made->setWidget(panel);
+    panel->setMaximumWidth(290);
+    made->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+    this->addDockWidget(Qt::LeftDockWidgetArea, made);
+    return made;
+  };
+  dock(tr("Method"), QStringLiteral("methodDock"), new MethodPanel(&this->Bench));
+  dock(tr("Show"), QStringLiteral("showDock"), new ShowPanel(&this->Bench));
+
+  auto* probe = new ProbePanel(&this->Bench);
+  auto* line = new LinePanel(&this->Bench);
+  auto* tabs = new QTabWidget;
+  tabs->setObjectName(QStringLiteral("tabs"));
+  tabs->setDocumentMode(true);
+  tabs->addTab(probe, tr("Probe"));
+  tabs->addTab(line, tr("Across an edge"));
+  this->Compare = new ComparePanel(&this->Bench);
+  tabs->addTab(this->Compare, tr("Compare"));
+  tabs->addTab(new StudyPanel(&this->Bench, this->View), tr("Study"));
+  tabs->addTab(new SpeedPanel(&this->Bench), tr("Speed"));
+  tabs->setMinimumWidth(400);
+  auto* side = new QDockWidget(tr("Analysis"));
+  side->setObjectName(QStringLiteral("studyDock"));
+  side->setWidget(tabs);
+  side->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+  this->addDockWidget(Qt::RightDockWidgetArea, side);
+
+  connect(this->Compare, &ComparePanel::changed, this, &MainWindow::showResult);
+  connect(this->View, &SceneView::picked, probe, &ProbePanel::probe);
+  connect(this->View, &SceneView::picked, line, &LinePanel::aim);
+  connect(probe, &ProbePanel::marked, this, [this](const auto& lines) { this->mark(0, lines); });
+  connect(line, &LinePanel::marked, this, [this](const auto& lines) { this->mark(1, lines); });
+}
+
+void MainWindow::mark(int kind, const QVector<QVector<Point>>& lines)
+{
+  this->Marks[kind] = lines;
+  this->View->mark(this->Marks[0] + this->Marks[1]);
+}
+
+void MainWindow::makeMenus()
+{
+  auto add = [this](QMenu* menu, const QString& text, const QKeySequence& keys, auto handler) {
+    QAction* action = menu->addAction(text);
+    action->setShortcut(keys);
+    connect(action, &QAction::triggered, this, handler);
+    return action;
+  };
+  this->makeFileMenu();
+  QMenu* edit = this->menuBar()->addMenu(tr("&Edit"));
+  QAction* undo = add(edit, tr("&Undo setting"), QKeySequence::Undo, [this] { this->Bench.undo(); });
+  QAction* redo = add(edit, tr("&Redo setting"), QKeySequence::Redo, [this] { this->Bench.redo(); });
+  undo->setObjectName(QStringLiteral("undo"));
+  auto enable = [this, undo, redo] {
+    undo->setEnabled(this->Bench.canUndo());
+    redo->setEnabled(this->Bench.canRedo());
+  };
+  connect(&this->Bench, &Workbench::settingsChanged, this, enable);
+  enable();
+
+  QMenu* run = this->menuBar()->addMenu(tr("&Run"));
+  QAction* start = add(run, tr("&Run"), Qt::Key_F5, [this] { this->Bench.run(); });
+  QAction* pause = add(run, tr("&Pause or continue"), Qt::Key_F6, [this] {
+    Run* current = this->Bench.activeRun();
+    current->state() == Run::State::Paused ? current->resume() : current->pause();
+    emit this->Bench.runChanged();
+  });
+  QAction* cancel = add(run, tr("&Cancel"), Qt::Key_Escape, [this] { this->Bench.cancel(); });
+  auto enableRun = [this, start, pause, cancel] {
+    start->setEnabled(this->Bench.scene() && !this->Bench.isRunning());
+    pause->setEnabled(this->Bench.isRunning());
+    cancel->setEnabled(this->Bench.isRunning());
+  };
+  connect(&this->Bench, &Workbench::runChanged, this, enableRun);
+  connect(&this->Bench, &Workbench::sceneChanged, this, enableRun);
+  enableRun();
+
+  this->CameraMenu = this->menuBar()->addMenu(tr("&Camera"));
+}
+
+void MainWindow::listCameras()
+{
+  this->CameraMenu->clear();
+  int key = Qt::Key_1;
+  auto add = [&](const QString& name, auto handler) {
+    QAction* action = this->CameraMenu->addAction(name);
+    action->setShortcut(Qt::CTRL | key++);
+    connect(action, &QAction::triggered, this, handler);
+  };
+  for (const CameraPreset& camera : this->Bench.scene()->cameras())
+    if (key <= Qt::Key_4)
+      add(camera.name, [this, camera] { this->View->look(camera); });
+  this->CameraMenu->addSeparator();
+  add(tr("Oblique"), [this] { this->View->lookAlong({0.35, 0.8, -0.45}, {0, 0, 1}); });
+  add(tr("From above"), [this] { this->View->lookAlong({0, 0, -1}, {0, 1, 0}); });
+  add(tr("From the front"), [this] { this->View->lookAlong({0, 1, 0}, {0, 0, 1}); });
+  add(tr("From the left"), [this] { this->View->lookAlong({1, 0, 0}, {0, 0, 1}); });
+}
+
+void MainWindow::updatePicking()
+{
+  QStringList sets = this->Bench.scene()->sets();
+  for (const QString& name : this->Bench.display().hidden)
+    sets.removeAll(name);
+  this->View->setPicking(std::make_shared<Picking>(this->Bench.scene(), sets));
+}
+
+void MainWindow::showScene()
+{
+  const ScenePtr& scene = this->Bench.scene();
+  this->setWindowTitle(tr("%1 – Edge Studio").arg(scene->name()));
+  this->Marks = {};
+  this->View->setScene(scene);
+  this->listCameras();
+  this->updatePicking();
+  this->showResult();
+  const vtkIdType polygons = scene->surfaces()->GetNumberOfCells(), lamps = scene->luminaires()->GetNumberOfPoints();
+  QString about = polygons == 1 ? tr("1 polygon") : tr("%1 polygons").arg(grouped(polygons));
+  about += lamps == 1 ? tr(", 1 luminaire") : tr(", %1 luminaires").arg(grouped(lamps));
+  if (scene->isBareMesh())
+    about = tr("A mesh without light: reflectance 0.5 and 100 lm/m² everywhere");
+  if (const auto lux = scene->furnaceIlluminance())
+    about += tr(" · a white furnace, %1 lx everywhere").arg(*lux);
+  this->statusBar()->showMessage(about);
+}
+
+void MainWindow::showResult()
+{
+  const ResultPtr result = this->Bench.shown();
+  const Display& display = this->Bench.display();
+  const ComparePanel::Mode mode = result ? this->Compare->mode() : ComparePanel::Mode::Off;
+  const bool two = mode == ComparePanel::Mode::SideBySide || mode == ComparePanel::Mode::Swipe;
+  ShownPictures shown;
+  if (mode == ComparePanel::Mode::Difference)
+  {
+    shown.first = {
+        this->Compare->comparison().data, QString::fromLatin1(Comparison::arrayName), differenceColours(5), {}, {}};
+    shown.legend = {shown.first.colours, tr("Difference"), tr("std. errors"), {}, {}};
+  }
+  else if (two)
+    shown = picturesOf(result, this->Compare->other(), display);
+  else if (result)
+    shown = pictureOf(result, this->Bench.onOneScale(), display);
+  if (display.quantity == Quantity::Luminance && this->Bench.scene() && this->Bench.scene()->hasGloss())
+    shown.legend.note = tr("diffuse part; gloss and mirrors: Image");
+  const auto layout = !two                                     ? SceneView::Layout::Single
+                      : mode == ComparePanel::Mode::SideBySide ? SceneView::Layout::SideBySide
+                                                               : SceneView::Layout::Swipe;
+  if (layout != this->View->layoutMode())
+    this->View->setLayoutMode(layout);
+  this->View->setCaptions(two ? result->settings.describe() : QString(),
+                          two ? this->Compare->other()->settings.describe() : QString());
+  this->View->paint(shown.first, shown.second, display);
+  this->SceneLegend = shown.legend;
+  this->showLegend();
+}
+
+bool MainWindow::showsImage() const
+{
+  return this->Centre->currentWidget() == this->Image;
+}
+
+void MainWindow::showLegend()
+{
+  this->Bar->setLegend(this->showsImage() ? this->Image->legend() : this->SceneLegend);
+}
+
+}  // namespace studio
