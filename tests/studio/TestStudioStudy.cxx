@@ -133,7 +133,7 @@ private slots:
     QJsonObject json = study.toJson();
     json["delta"] = QJsonArray{0.1, -1};
     QCOMPARE(problemOf([&] { Study::fromJson(json, "f: study"); }),
-             QStringLiteral("f: study/delta: has a wrong value, expected numbers from 0"));
+             QStringLiteral("f: study/delta: is [0.1,-1], expected an array of numbers from 0"));
     json["delta"] = QJsonArray();
     QCOMPARE(problemOf([&] { Study::fromJson(json, "f: study"); }),
              QStringLiteral("f: study/delta: is empty, expected an array of numbers"));

@@ -10,7 +10,7 @@
 
 #include "WindowTest.h"
 #include "panels/ProbePanel.h"
-#include "session/RecentFiles.h"
+#include "session/Preferences.h"
 #include "vtkInteractorObserver.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"

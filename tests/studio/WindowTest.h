@@ -7,10 +7,12 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
 
 #include "Helpers.h"
+#include "session/Preferences.h"
 #include "window/Application.h"
 #include "window/MainWindow.h"
 
@@ -67,14 +69,23 @@ protected:
   }
 };
 
+/// As the program does it; with settings of its own, by which an opened scene stays dark until a test runs it.
+inline void prepareTest()
+{
+  static const QTemporaryDir settings;
+  studio::dressApplication();
+  QStandardPaths::setTestModeEnabled(true);
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  studio::setLightsOnOpening(false);
+}
+
 /// The main function of a test of the window.
 template <class Test>
 int runWindowTest(int argc, char* argv[])
 {
   studio::prepareApplication();
   QApplication application(argc, argv);
-  studio::dressApplication();
-  QStandardPaths::setTestModeEnabled(true);
+  prepareTest();
   Test test;
   return QTest::qExec(&test, argc, argv);
 }

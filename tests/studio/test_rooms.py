@@ -7,7 +7,7 @@ import pytest
 
 STUDIO = Path(__file__).resolve().parents[2] / "apps" / "edge-studio"
 ROOMS = {"model": ("base", "scene", "results", "run", "probe", "study", "session"),
-         "ui": ("words", "charts", "view", "panels", "window")}
+         "ui": ("common", "charts", "view", "panels", "window")}
 INCLUDE = re.compile(r'^#include "(\w+)/\w+\.h"', re.MULTILINE)
 
 

@@ -2,8 +2,10 @@
 #include "base/DataSets.h"
 
 #include "vtkDataSet.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
 
 namespace studio
 {
@@ -20,5 +22,22 @@ QVector<NamedSet> dataSets(vtkDataObject* object)
       sets.push_back({QString::fromUtf8(name ? name : ""), data});
     }
   return sets;
+}
+
+void addSet(vtkMultiBlockDataSet* blocks, const QString& name, vtkDataObject* data)
+{
+  const unsigned int at = blocks->GetNumberOfBlocks();
+  blocks->SetBlock(at, data);
+  blocks->GetMetaData(at)->Set(vtkCompositeDataSet::NAME(), name.toUtf8().constData());
+}
+
+Point cellCentre(vtkDataSet* data, vtkIdType cell)
+{
+  vtkNew<vtkIdList> corners;
+  data->GetCellPoints(cell, corners);
+  Point sum(0, 0, 0);
+  for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    sum += Point(data->GetPoint(corners->GetId(k)));
+  return (1.0 / static_cast<double>(corners->GetNumberOfIds())) * sum;
 }
 }  // namespace studio

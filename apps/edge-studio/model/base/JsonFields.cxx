@@ -3,6 +3,7 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <algorithm>
 #include <cmath>
 
 #include "base/Problem.h"
@@ -85,6 +86,25 @@ void JsonFields::numbers(const QString& key, double* values, int count)
     this->refuse(key, QStringLiteral("an array of %1 numbers").arg(count));
   for (int i = 0; i < count; ++i)
     values[i] = array[i].toDouble();
+}
+
+void JsonFields::list(const QString& key, QVector<double>& values, double least)
+{
+  QVector<double> found;
+  for (const QJsonValue& item : this->array(key))
+    found << item.toDouble(NAN);
+  if (found.isEmpty() || !std::all_of(found.begin(), found.end(), [&](double number) { return number >= least; }))
+    this->refuse(key, QStringLiteral("an array of numbers from %1").arg(least));
+  values = found;
+}
+
+void JsonFields::texts(const QString& key, QStringList& values)
+{
+  const QJsonArray array = this->array(key);
+  if (!std::all_of(array.begin(), array.end(), [](const QJsonValue& item) { return item.isString(); }))
+    this->refuse(key, QStringLiteral("an array of texts"));
+  for (const QJsonValue& item : array)
+    values << item.toString();
 }
 
 QJsonObject JsonFields::object(const QString& key)

@@ -7,6 +7,7 @@
 #include <QSet>
 #include <QString>
 #include <QStringList>
+#include <QVector>
 
 namespace studio
 {
@@ -25,6 +26,15 @@ public:
   void choice(const QString& key, int& value, const QStringList& choices);
   /// `count` finite numbers.
   void numbers(const QString& key, double* values, int count);
+  /// Numbers from `least`, at least one.
+  void list(const QString& key, QVector<double>& values, double least);
+  void texts(const QString& key, QStringList& values);
+  /// A member that is read by the fromJson() of its class.
+  template <class Value>
+  void read(const QString& key, Value& value)
+  {
+    value = Value::fromJson(this->object(key), this->at(key));
+  }
   QJsonObject object(const QString& key);
   QJsonArray array(const QString& key);
 

@@ -14,6 +14,7 @@ struct Estimate
 {
   double value = 0, error = 0;  ///< lx
   bool trusted = true;
+  bool dark() const { return this->value == 0 && this->error == 0; }  ///< nothing was scored: the error is not known
 };
 Estimate estimateAt(const Result& result, vtkIdType receiver);
 

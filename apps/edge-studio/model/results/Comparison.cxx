@@ -8,7 +8,6 @@
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkInformation.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -50,9 +49,7 @@ Comparison compare(const Result& a, const Result& b)
     copy->CopyStructure(set.data);
     const bool ofPoints = set.data->GetPointData()->HasArray(Names::Illuminance);
     (ofPoints ? static_cast<vtkDataSetAttributes*>(copy->GetPointData()) : copy->GetCellData())->AddArray(difference);
-    const unsigned int at = blocks->GetNumberOfBlocks();
-    blocks->SetBlock(at, copy);
-    blocks->GetMetaData(at)->Set(vtkCompositeDataSet::NAME(), set.name.toUtf8().constData());
+    addSet(blocks, set.name, copy);
   }
   comparison.data = blocks;
   if (comparison.receivers > 0)

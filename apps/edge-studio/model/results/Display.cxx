@@ -82,8 +82,7 @@ Display Display::fromJson(const QJsonObject& object, const QString& where)
   fields.flag(QStringLiteral("isolines"), d.isolines);
   fields.flag(QStringLiteral("edges"), d.edges);
   fields.flag(QStringLiteral("luminaires"), d.luminaires);
-  for (const QJsonValue& name : fields.array(QStringLiteral("hidden")))
-    d.hidden << name.toString();
+  fields.texts(QStringLiteral("hidden"), d.hidden);
   fields.finish();
   if (!d.automaticRange && (!(d.range[0] < d.range[1]) || (d.scale == Scale::Logarithmic && !(d.range[0] > 0))))
     throw Problem(QStringLiteral("%1: is empty or not above 0 on a logarithmic scale, expected two rising numbers")

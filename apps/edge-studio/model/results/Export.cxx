@@ -2,17 +2,14 @@
 #include "results/Export.h"
 
 #include <QDir>
-#include <QSaveFile>
 
 #include "base/DataSets.h"
-#include "base/ErrorCollector.h"
-#include "base/Problem.h"
+#include "base/Files.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkKalosEXRWriter.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkXMLPolyDataWriter.h"
 
@@ -31,11 +28,10 @@ QByteArray table(vtkDataSet* data)
   QByteArray text = "x,y,z,nx,ny,nz,illuminance_lx,standard_error_lx,direct_lx\n";
   for (vtkIdType i = 0; i < columns[1]->GetNumberOfTuples(); ++i)
   {
-    double position[3];
-    receiverPosition(data, i, position);
+    const Point position = receiverPosition(data, i);
     QByteArrayList cells;
-    for (double coordinate : position)
-      cells << QByteArray::number(coordinate, 'g', 9);
+    for (int axis = 0; axis < 3; ++axis)
+      cells << QByteArray::number(position[axis], 'g', 9);
     for (vtkDataArray* column : columns)
       for (int c = 0; c < column->GetNumberOfComponents(); ++c)
         cells << QByteArray::number(column->GetComponent(i, c), 'g', 9);
@@ -43,50 +39,33 @@ QByteArray table(vtkDataSet* data)
   }
   return text;
 }
-
-void writeText(const QString& path, const QByteArray& text)
-{
-  QSaveFile file(path);
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-    throw Problem(QStringLiteral("%1: file: %2; expected a place that can be written").arg(path, file.errorString()));
-}
-
-void writeData(const QString& path, vtkDataSet* data)
-{
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  const auto errors = ErrorCollector::watch(writer);
-  writer->SetInputData(data);
-  writer->SetFileName(path.toUtf8().constData());
-  writer->SetDataModeToBinary();  // as in ResultFiles.cxx
-  if (!writer->Write() || !errors->message().isEmpty())
-    throw Problem(QStringLiteral("%1: file: can not be written; expected a writable folder").arg(path));
-}
 }  // namespace
+
+QStringList exportedFiles(const Result& result, const QString& folder)
+{
+  QStringList paths;
+  for (const NamedSet& set : dataSets(result.data))
+    for (const char* suffix : {".csv", ".vtp"})
+      paths << QDir(folder).filePath(set.name) + QLatin1String(suffix);
+  return paths;
+}
 
 QStringList exportResult(const Result& result, const QString& folder)
 {
   if (!QDir().mkpath(folder))
-    throw Problem(QStringLiteral("%1: folder: can not be made; expected a writable place").arg(folder));
-  QStringList paths;
+    throw Problem(QStringLiteral("%1: folder: cannot be made; expected a place that can be written").arg(folder));
+  const QStringList paths = exportedFiles(result, folder);
+  auto path = paths.begin();
   for (const NamedSet& set : dataSets(result.data))
   {
-    const QString stem = QDir(folder).filePath(set.name);
-    writeText(stem + QStringLiteral(".csv"), table(set.data));
-    writeData(stem + QStringLiteral(".vtp"), set.data);
-    paths << stem + QStringLiteral(".csv") << stem + QStringLiteral(".vtp");
+    writeFile(*path++, table(set.data));
+    writeData<vtkXMLPolyDataWriter>(set.data, *path++);
   }
   return paths;
 }
 
 void exportImage(const Result& image, const QString& path)
 {
-  vtkNew<vtkKalosEXRWriter> writer;
-  const auto errors = ErrorCollector::watch(writer);
-  writer->SetInputDataObject(image.data);
-  writer->SetFileName(path.toUtf8().constData());
-  if (!writer->Write() || !errors->message().isEmpty())
-    throw Problem(errors->message().isEmpty()
-                      ? QStringLiteral("%1: file: can not be written; expected a place that can be written").arg(path)
-                      : errors->message());
+  writeData<vtkKalosEXRWriter>(image.data, path);
 }
 }  // namespace studio

@@ -7,6 +7,9 @@
 
 namespace studio
 {
+/// The files that exportResult() writes.
+QStringList exportedFiles(const Result& result, const QString& folder);
+
 /// For each receiver set NAME.csv, as the command `kalos solve` writes it, and NAME.vtp, into a folder that exists or
 /// is made. Returns the paths. Throws Problem.
 QStringList exportResult(const Result& result, const QString& folder);

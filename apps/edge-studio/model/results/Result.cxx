@@ -9,7 +9,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkPointData.h"
 
@@ -87,18 +86,10 @@ vtkDataArray* arrayOf(vtkDataSet* dataSet, const char* name)
   return array ? array : dataSet->GetCellData()->GetArray(name);
 }
 
-void receiverPosition(vtkDataSet* dataSet, vtkIdType receiver, double position[3])
+Point receiverPosition(vtkDataSet* dataSet, vtkIdType receiver)
 {
   if (dataSet->GetPointData()->GetArray(Names::Illuminance))
-    return dataSet->GetPoint(receiver, position);
-  std::fill(position, position + 3, 0.0);
-  vtkNew<vtkIdList> corners;
-  dataSet->GetCellPoints(receiver, corners);
-  for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
-  {
-    const double* corner = dataSet->GetPoint(corners->GetId(k));
-    for (int axis = 0; axis < 3; ++axis)
-      position[axis] += corner[axis] / static_cast<double>(corners->GetNumberOfIds());
-  }
+    return Point(dataSet->GetPoint(receiver));
+  return cellCentre(dataSet, receiver);
 }
 }  // namespace studio

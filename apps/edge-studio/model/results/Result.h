@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "base/Point.h"
 #include "results/MethodSettings.h"
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
@@ -44,8 +45,8 @@ Result makeResult(const MethodSettings& settings, vtkDataObject* data);
 /// An array of a data set, from its points where they have it, else from its cells; null if there is none.
 vtkDataArray* arrayOf(vtkDataSet* dataSet, const char* name);
 
-/// Places of the receivers of a data set, m: its points where they carry the results, else its cell centres.
-void receiverPosition(vtkDataSet* dataSet, vtkIdType receiver, double position[3]);
+/// Where a receiver of a data set is, m: its points where they carry the results, else its cell centres.
+Point receiverPosition(vtkDataSet* dataSet, vtkIdType receiver);
 }  // namespace studio
 
 #endif

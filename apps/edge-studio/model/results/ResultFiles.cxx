@@ -3,13 +3,11 @@
 
 #include <QFileInfo>
 
-#include "base/ErrorCollector.h"
-#include "base/Problem.h"
+#include "base/Files.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLImageDataWriter.h"
@@ -20,21 +18,9 @@ namespace studio
 {
 namespace
 {
-template <class Writer>
-void write(vtkDataObject* data, const QString& path)
-{
-  vtkNew<Writer> writer;
-  const auto errors = ErrorCollector::watch(writer);
-  writer->SetInputDataObject(data);
-  writer->SetFileName(path.toUtf8().constData());
-  writer->SetDataModeToBinary();  // raw appended data: VTK 9.2 can not read it with expat 2.5.0-1+deb12u2 and later
-  if (!writer->Write() || !errors->message().isEmpty())
-    throw Problem(QStringLiteral("%1: file: can not be written; expected a writable folder").arg(path));
-}
-
 [[noreturn]] void refuse(const QString& path)
 {
-  throw Problem(QStringLiteral("%1: file: can not be read; expected a result of the session").arg(path));
+  throw Problem(QStringLiteral("%1: file: cannot be read; expected a result of the session").arg(path));
 }
 
 template <class Reader>
@@ -51,20 +37,20 @@ vtkSmartPointer<vtkDataObject> read(const QString& path)
   return reader->GetOutputDataObject(0);
 }
 
-ResultPtr complete(const MethodSettings& settings, vtkDataObject* data)
+ResultPtr stored(const MethodSettings& settings, bool complete, vtkDataObject* data)
 {
   auto result = std::make_shared<Result>(makeResult(settings, data));
-  result->complete = true;
+  result->complete = complete;
   return result;
 }
 }  // namespace
 
 void writeResult(const Result& result, const QString& path)
 {
-  write<vtkXMLMultiBlockDataWriter>(result.data, path);
+  writeData<vtkXMLMultiBlockDataWriter>(result.data, path);
 }
 
-ResultPtr readResult(const MethodSettings& settings, const QString& path)
+ResultPtr readResult(const MethodSettings& settings, bool complete, const QString& path)
 {
   const auto data = read<vtkXMLMultiBlockDataReader>(path);
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data);
@@ -73,12 +59,12 @@ ResultPtr readResult(const MethodSettings& settings, const QString& path)
   // The field data of the whole stand at each block too.
   if (vtkDataObject* first = blocks->GetBlock(0))
     blocks->GetFieldData()->ShallowCopy(first->GetFieldData());
-  return complete(settings, blocks);
+  return stored(settings, complete, blocks);
 }
 
 void writeImage(const Result& image, const QString& path)
 {
-  write<vtkXMLImageDataWriter>(image.data, path);
+  writeData<vtkXMLImageDataWriter>(image.data, path);
 }
 
 ResultPtr readImage(const MethodSettings& settings, const QString& path)
@@ -88,6 +74,6 @@ ResultPtr readImage(const MethodSettings& settings, const QString& path)
   for (const char* name : {vtkKalosArrayNames::Luminance, vtkKalosArrayNames::LuminanceStandardError})
     if (!image || image->GetNumberOfPoints() == 0 || !image->GetPointData()->HasArray(name))
       refuse(path);
-  return complete(settings, image);
+  return stored(settings, true, image);
 }
 }  // namespace studio

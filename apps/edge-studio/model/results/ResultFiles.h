@@ -9,7 +9,7 @@ namespace studio
 {
 /// To NAME.vtm, and the folder NAME beside it. Of receivers.
 void writeResult(const Result& result, const QString& path);
-ResultPtr readResult(const MethodSettings& settings, const QString& path);
+ResultPtr readResult(const MethodSettings& settings, bool complete, const QString& path);
 
 /// To NAME.vti. Of a camera.
 void writeImage(const Result& image, const QString& path);

@@ -20,11 +20,10 @@ ImageRequest ImageRequest::fromJson(const QJsonObject& object, const QString& wh
   ImageRequest request;
   JsonFields fields(object, where);
   double width = 0, height = 0;
-  request.camera = CameraPreset::fromJson(fields.object(QStringLiteral("camera")), fields.at(QStringLiteral("camera")));
+  fields.read(QStringLiteral("camera"), request.camera);
   fields.number(QStringLiteral("width"), width, 1, 16384);
   fields.number(QStringLiteral("height"), height, 1, 16384);
-  request.settings =
-      MethodSettings::fromJson(fields.object(QStringLiteral("settings")), fields.at(QStringLiteral("settings")));
+  fields.read(QStringLiteral("settings"), request.settings);
   fields.finish();
   if (width < 1 || height < 1)
     throw Problem(QStringLiteral("%1: has no size, expected width and height in pixels").arg(where));

@@ -10,7 +10,6 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
-#include "vtkInformation.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -56,9 +55,7 @@ public:
     for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
       if (facing(normals, i) == way)
       {
-        double at[3];
-        cellCentre(data, i, at);
-        centres->InsertNextPoint(at);
+        centres->InsertNextPoint(cellCentre(data, i).GetData());
         this->Cells.push_back(i);
       }
     vtkNew<vtkPolyData> places;
@@ -69,9 +66,9 @@ public:
   }
 
   /// The nearest cell; 0 if there are none.
-  vtkIdType nearest(const double at[3]) const
+  vtkIdType nearest(const Point& at) const
   {
-    return this->Cells.empty() ? 0 : this->Cells[this->Locator->FindClosestPoint(at)];
+    return this->Cells.empty() ? 0 : this->Cells[this->Locator->FindClosestPoint(at.GetData())];
   }
 
 private:
@@ -90,11 +87,7 @@ vtkSmartPointer<vtkIdList> standIns(vtkPolyData* solved, vtkPolyData* receivers)
     const Facing some(solved, way);
     for (vtkIdType i = 0; i < receivers->GetNumberOfCells(); ++i)
       if (facing(normals, i) == way)
-      {
-        double at[3];
-        cellCentre(receivers, i, at);
-        cells->SetId(i, some.nearest(at));
-      }
+        cells->SetId(i, some.nearest(cellCentre(receivers, i)));
   }
   return cells;
 }
@@ -127,11 +120,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> transform(vtkDataObject* object, const Mak
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   for (const NamedSet& set : dataSets(object))
     if (hasCells(set))
-    {
-      const unsigned int at = blocks->GetNumberOfBlocks();
-      blocks->SetBlock(at, make(set));
-      blocks->GetMetaData(at)->Set(vtkCompositeDataSet::NAME(), set.name.toUtf8().constData());
-    }
+      addSet(blocks, set.name, make(set));
   return blocks;
 }
 }  // namespace

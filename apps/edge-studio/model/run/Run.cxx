@@ -67,6 +67,13 @@ double Run::elapsed() const
   return this->ElapsedBefore + (this->Now == State::Running ? static_cast<double>(this->Clock.elapsed()) / 1000 : 0);
 }
 
+std::optional<double> Run::remaining() const
+{
+  if (!(this->Done > 0.02 && this->Done < 1))
+    return {};
+  return (this->elapsed() - this->LastStepBegan) * (1 / this->Done - 1);
+}
+
 void Run::setState(State state)
 {
   this->ElapsedBefore = this->elapsed();
@@ -158,7 +165,7 @@ void Run::work()
   {
     const bool last = &step == &steps.back();
     latest = nullptr;
-    problem = this->solve(step, [&](vtkDataObject* data) {
+    problem = this->solve(step, last, [&](vtkDataObject* data) {
       latest = step.dress ? step.dress(data) : vtkSmartPointer<vtkDataObject>(data);
       this->publish(latest, last ? Stage::Round : Stage::Preview);
     });
@@ -181,7 +188,7 @@ void Run::work()
       Qt::QueuedConnection);
 }
 
-QString Run::solve(const RunStep& step, const std::function<void(vtkDataObject*)>& round)
+QString Run::solve(const RunStep& step, bool last, const std::function<void(vtkDataObject*)>& round)
 {
   vtkKalosEstimatorAlgorithm* estimator = this->Plan.estimator;
   const auto errors = ErrorCollector::watch(estimator);
@@ -190,10 +197,13 @@ QString Run::solve(const RunStep& step, const std::function<void(vtkDataObject*)
   estimator->IntermediateResultsOn();
   estimator->KeepSceneOn();
 
+  if (last)
+    QMetaObject::invokeMethod(
+        this, [this] { this->LastStepBegan = this->elapsed(); }, Qt::QueuedConnection);
   QElapsedTimer told;
   auto onProgress = [&](void*) {
     // What the window shows of it costs a third of a processor at 20 times a second, where software draws the window.
-    if (!told.isValid() || told.elapsed() > 250)
+    if (last && (!told.isValid() || told.elapsed() > 250))
     {
       told.start();
       const double done = estimator->GetProgress();

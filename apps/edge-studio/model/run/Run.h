@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "results/Result.h"
@@ -32,8 +33,8 @@ public:
 
   /// Starts at once. `settings` are those of the plan's last step.
   Run(RunPlan plan, const MethodSettings& settings, QObject* parent = nullptr);
-  Run(const ScenePtr& scene, vtkDataObject* receivers, const MethodSettings& settings)
-      : Run(planReceivers(*scene, receivers, settings), settings)
+  Run(const ScenePtr& scene, vtkDataObject* receivers, const MethodSettings& settings, bool previews = true)
+      : Run(planReceivers(*scene, receivers, settings, previews), settings)
   {
   }
   ~Run() override;  ///< cancels, and waits for the thread
@@ -43,8 +44,10 @@ public:
   bool active() const { return this->Now == State::Running || this->Now == State::Paused; }
   ResultPtr result() const { return this->Latest; }
   const QString& problem() const { return this->Problem; }
-  double progress() const { return this->Done; }  ///< [0, 1]
+  double progress() const { return this->Done; }  ///< of the last step, [0, 1]
   double elapsed() const;                         ///< s, pauses apart
+  /// s until the goal, as far as the last step's progress tells; nothing at its very beginning and end.
+  std::optional<double> remaining() const;
 
 public slots:
   void pause();
@@ -65,7 +68,7 @@ private:
     Last
   };
   void work();
-  QString solve(const RunStep& step, const std::function<void(vtkDataObject*)>& round);
+  QString solve(const RunStep& step, bool last, const std::function<void(vtkDataObject*)>& round);
   bool restIfAsked();
   void publish(vtkDataObject* data, Stage stage);
   void setState(State state);
@@ -79,7 +82,7 @@ private:
   QString Problem;
   double Done = 0;
   QElapsedTimer Clock;
-  double ElapsedBefore = 0;
+  double ElapsedBefore = 0, LastStepBegan = 0;
 
   // Shared with the worker.
   std::atomic<bool> Stop{false};

@@ -41,7 +41,8 @@ MethodSettings quick(MethodSettings settings)
 }
 }  // namespace
 
-RunPlan planReceivers(const SceneDocument& scene, vtkDataObject* receivers, const MethodSettings& settings)
+RunPlan planReceivers(const SceneDocument& scene, vtkDataObject* receivers, const MethodSettings& settings,
+                      bool previews)
 {
   auto illuminance = vtkSmartPointer<vtkKalosIlluminance>::New();
   const auto all = copyOf(receivers);
@@ -51,7 +52,7 @@ RunPlan planReceivers(const SceneDocument& scene, vtkDataObject* receivers, cons
   return {illuminance, [=] {
             std::vector<RunStep> steps;
             for (int wanted : {1200, 6000, 30000})
-              if (const auto some = someReceivers(all, wanted))
+              if (const auto some = previews ? someReceivers(all, wanted) : nullptr)
                 steps.push_back({quick(settings), [=] { illuminance->SetInputDataObject(0, some); },
                                  [some, all, spread = std::shared_ptr<Spread>()](vtkDataObject* solved) mutable {
                                    if (!spread)
@@ -69,9 +70,9 @@ RunPlan planImage(const SceneDocument& scene, const CameraPreset& camera, int wi
   auto image = vtkSmartPointer<vtkKalosLuminanceImage>::New();
   image->SetInputData(0, copyOf(scene.surfaces()));
   image->SetInputData(1, copyOf(scene.luminaires()));
-  image->SetPosition(camera.position.data());
-  image->SetTarget(camera.target.data());
-  image->SetUp(camera.up.data());
+  image->SetPosition(camera.position.GetData());
+  image->SetTarget(camera.target.GetData());
+  image->SetUp(camera.up.GetData());
   image->SetFieldOfView(camera.verticalAngle(static_cast<double>(width) / height));
   return {image, [=] {
             std::vector<RunStep> steps;

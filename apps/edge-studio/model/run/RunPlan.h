@@ -26,9 +26,10 @@ struct RunPlan
   std::function<std::vector<RunStep>()> steps;            ///< made where they are run; the last is the whole
 };
 
-/// Illuminance at receivers; of up to 64 with the array IlluminanceReplicates too. Of many, first some that stand for
-/// all: 1200, 6000, 30 000.
-RunPlan planReceivers(const SceneDocument& scene, vtkDataObject* receivers, const MethodSettings& settings);
+/// Illuminance at receivers; of up to 64 with the array IlluminanceReplicates too. With previews, of many, first some
+/// that stand for all: 1200, 6000, 30 000.
+RunPlan planReceivers(const SceneDocument& scene, vtkDataObject* receivers, const MethodSettings& settings,
+                      bool previews = true);
 
 /// Luminance seen by a camera, on `width` x `height` pixels; first on an eighth, a quarter and a half of the rows.
 RunPlan planImage(const SceneDocument& scene, const CameraPreset& camera, int width, int height,

@@ -5,14 +5,15 @@
 
 #include <QJsonObject>
 #include <QString>
-#include <array>
+
+#include "base/Point.h"
 
 namespace studio
 {
 struct CameraPreset
 {
   QString name;
-  std::array<double, 3> position{0, -1, 0}, target{0, 0, 0}, up{0, 0, 1};
+  Point position{0, -1, 0}, target{0, 0, 0}, up{0, 0, 1};
   double fieldOfView = 45;  ///< across the smaller side of the picture, degrees
 
   /// From the bottom to the top of a picture of this width over height, degrees.
@@ -24,8 +25,7 @@ struct CameraPreset
 };
 
 /// Sees all of a box (as vtkDataSet::GetBounds() gives it) along a direction, in a picture of this width over height.
-CameraPreset fitted(const double bounds[6], const std::array<double, 3>& direction, const std::array<double, 3>& up,
-                    double shape);
+CameraPreset fitted(const double bounds[6], const Point& direction, const Point& up, double shape);
 }  // namespace studio
 
 #endif

@@ -9,31 +9,12 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkKalosSingularEdges.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
 namespace studio
 {
-namespace
-{
-Point combine(const Point& a, double t, const Point& b)
-{
-  return {a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]};
-}
-
-double dot(const Point& a, const Point& b)
-{
-  return vtkMath::Dot(a.data(), b.data());
-}
-
-double length(const Point& a)
-{
-  return vtkMath::Norm(a.data());
-}
-}  // namespace
-
 std::optional<NearestEdge> nearestEdge(const SceneDocument& scene, const Point& point)
 {
   using Edges = vtkKalosSingularEdges;
@@ -52,22 +33,18 @@ std::optional<NearestEdge> nearestEdge(const SceneDocument& scene, const Point& 
     for (vtkIdType k = 0; k + 1 < ids->GetNumberOfIds(); ++k)
     {
       Point from, to;
-      edges->GetPoint(ids->GetId(k), from.data());
-      edges->GetPoint(ids->GetId(k + 1), to.data());
-      const Point side = combine(to, -1, from);
-      const double squared = dot(side, side);
+      edges->GetPoint(ids->GetId(k), from.GetData());
+      edges->GetPoint(ids->GetId(k + 1), to.GetData());
+      const Point side = to - from;
+      const double squared = side.SquaredNorm();
       if (!(squared > 0))
         continue;
-      const double t = std::clamp(dot(combine(point, -1, from), side) / squared, 0.0, 1.0);
-      const Point foot = combine(from, t, side);
-      const double distance = length(combine(point, -1, foot));
+      const double t = std::clamp((point - from).Dot(side) / squared, 0.0, 1.0);
+      const Point foot = from + t * side;
+      const double distance = (point - foot).Norm();
       if (nearest && distance >= nearest->distance)
         continue;
-      const double scale = 1 / std::sqrt(squared);
-      nearest = NearestEdge{distance,
-                            angle->GetComponent(i, 0),
-                            foot,
-                            {scale * side[0], scale * side[1], scale * side[2]},
+      nearest = NearestEdge{distance, angle->GetComponent(i, 0), foot, side.Normalized(),
                             kind->GetComponent(i, 0) == Edges::CONTACT};
     }
   }
@@ -79,28 +56,26 @@ std::optional<ProbeLine> lineAcrossEdge(const ScenePtr& scene, const Pick& pick)
   const auto edge = nearestEdge(*scene, pick.position);
   if (!edge)
     return {};
-  Point direction = combine(pick.position, -1, edge->foot);
-  direction = combine(direction, -dot(direction, pick.normal), pick.normal);
-  direction = combine(direction, -dot(direction, edge->along), edge->along);
-  if (!(length(direction) > 1e-6 * scene->size()))
+  Point direction = pick.position - edge->foot;
+  direction -= direction.Dot(pick.normal) * pick.normal;
+  direction -= direction.Dot(edge->along) * edge->along;
+  if (!(direction.Norm() > 1e-6 * scene->size()))
     return {};
-  vtkMath::Normalize(direction.data());
+  direction.Normalize();
 
   ProbeLine line{*edge, pick.normal, {}, {}};
   // From the edge at the height of the picked surface.
-  const Point start = combine(edge->foot, dot(combine(pick.position, -1, edge->foot), pick.normal), pick.normal);
+  const Point start = edge->foot + (pick.position - edge->foot).Dot(pick.normal) * pick.normal;
   const Picking surfaces(scene, {SceneDocument::paintedName()});
-  const double lift = 1e-3 * scene->size();
+  const Point lift = 1e-3 * scene->size() * pick.normal;
   const bool onSurface = pick.set == SceneDocument::paintedName();
-  const auto wall = surfaces.first(combine(combine(start, lift, pick.normal), 1e-4, direction),
-                                   combine(combine(start, lift, pick.normal), scene->size(), direction));
-  const double reach = wall ? length(combine(wall->position, -1, start)) : scene->size();
+  const auto wall = surfaces.first(start + lift + 1e-4 * direction, start + lift + scene->size() * direction);
+  const double reach = wall ? (wall->position - start).Norm() : scene->size();
   for (int k = 0;; ++k)
   {
     const double distance = 1e-4 * std::pow(10.0, k / 10.0);
-    const Point point = combine(start, distance, direction);
-    const bool held = !onSurface || distance < 0.01 * scene->size() ||
-                      surfaces.first(combine(point, lift, pick.normal), combine(point, -lift, pick.normal));
+    const Point point = start + distance * direction;
+    const bool held = !onSurface || distance < 0.01 * scene->size() || surfaces.first(point + lift, point - lift);
     if (distance > 0.98 * reach || !held)
       break;
     line.distances << distance;
@@ -122,8 +97,8 @@ vtkSmartPointer<vtkPolyData> pointReceivers(const QVector<Point>& points, const 
   for (const Point& point : points)
   {
     vertices->InsertNextCell(1);
-    vertices->InsertCellPoint(places->InsertNextPoint(point.data()));
-    normals->InsertNextTuple(normal.data());
+    vertices->InsertCellPoint(places->InsertNextPoint(point.GetData()));
+    normals->InsertNextTuple(normal.GetData());
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(places);

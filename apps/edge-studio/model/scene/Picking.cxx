@@ -5,7 +5,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkOBBTree.h"
 #include "vtkPoints.h"
@@ -29,22 +28,22 @@ Picking::Picking(const ScenePtr& scene, const QStringList& sets)
 std::optional<Pick> Picking::first(const Point& from, const Point& to) const
 {
   std::optional<Pick> nearest;
-  double least = vtkMath::Distance2BetweenPoints(from.data(), to.data());
-  const Point direction{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+  const Point direction = to - from;
+  double least = direction.SquaredNorm();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkIdList> cells;
   for (const Target& target : this->Targets)
   {
     target.tree->BuildLocator();  // where it has not been built
-    target.tree->IntersectWithLine(from.data(), to.data(), points, cells);
+    target.tree->IntersectWithLine(from.GetData(), to.GetData(), points, cells);
     for (vtkIdType i = 0; i < cells->GetNumberOfIds(); ++i)
     {
       Pick pick{{}, {}, target.name};
-      points->GetPoint(i, pick.position.data());
-      target.data->GetCellData()->GetNormals()->GetTuple(cells->GetId(i), pick.normal.data());
-      const double distance = vtkMath::Distance2BetweenPoints(from.data(), pick.position.data());
-      const bool seen = target.bothSides || vtkMath::Dot(direction.data(), pick.normal.data()) < 0;
+      points->GetPoint(i, pick.position.GetData());
+      target.data->GetCellData()->GetNormals()->GetTuple(cells->GetId(i), pick.normal.GetData());
+      const double distance = (pick.position - from).SquaredNorm();
+      const bool seen = target.bothSides || direction.Dot(pick.normal) < 0;
       if (!seen || distance >= least)
         continue;
       least = distance;

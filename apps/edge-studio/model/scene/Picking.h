@@ -3,7 +3,6 @@
 #ifndef studio_Picking_h
 #define studio_Picking_h
 
-#include <array>
 #include <optional>
 
 #include "scene/SceneDocument.h"
@@ -12,8 +11,6 @@ class vtkOBBTree;
 
 namespace studio
 {
-using Point = std::array<double, 3>;
-
 struct Pick
 {
   Point position;  ///< m
@@ -24,7 +21,7 @@ struct Pick
 class Picking
 {
 public:
-  /// Of these sets of the scene; those of single points can not be hit.
+  /// Of these sets of the scene; those of single points cannot be hit.
   Picking(const ScenePtr& scene, const QStringList& sets);
 
   /// The first thing from `from` on towards `to` that is seen: surfaces from their front, planes from both sides.

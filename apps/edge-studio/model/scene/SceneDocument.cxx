@@ -5,70 +5,21 @@
 #include <QFileInfo>
 #include <QTemporaryDir>
 
+#include "base/DataSets.h"
 #include "base/ErrorCollector.h"
 #include "base/Problem.h"
 #include "scene/BareMesh.h"
+#include "scene/Furnace.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
-#include "vtkIntArray.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkKalosSceneReader.h"
-#include "vtkKalosSingularEdges.h"
 #include "vtkNew.h"
 
 namespace studio
 {
 namespace
 {
-vtkSmartPointer<vtkPolyData> findEdges(vtkPolyData* surfaces, bool borders)
-{
-  vtkNew<vtkKalosSingularEdges> edges;
-  const auto errors = ErrorCollector::watch(edges);
-  edges->SetInputData(surfaces);
-  edges->SetBorderEdges(borders);
-  edges->Update();
-  return edges->GetOutput();
-}
-
-/// The one value that all cells have in all components; none if they differ.
-std::optional<double> uniform(vtkPolyData* surfaces, const char* name)
-{
-  vtkDataArray* array = surfaces->GetCellData()->GetArray(name);
-  if (!array || array->GetNumberOfTuples() == 0)
-    return {};
-  const double first = array->GetComponent(0, 0);
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-      if (array->GetComponent(i, c) != first)
-        return {};
-  return first;
-}
-
-bool isClosed(vtkPolyData* surfaces)
-{
-  const auto edges = findEdges(surfaces, true);
-  auto* classes =
-      vtkIntArray::SafeDownCast(edges->GetCellData()->GetArray(vtkKalosSingularEdges::EdgeClassArrayName()));
-  for (vtkIdType i = 0; classes && i < classes->GetNumberOfTuples(); ++i)
-    if (classes->GetValue(i) == vtkKalosSingularEdges::BORDER)
-      return false;
-  return classes != nullptr;
-}
-
-/// White furnace: E = M0/(1 - rho), docs of the closed forms in python/kalos/truths.py.
-std::optional<double> furnace(vtkPolyData* surfaces, vtkPolyData* luminaires)
-{
-  namespace Names = vtkKalosArrayNames;
-  const auto reflectance = uniform(surfaces, Names::Reflectance), exitance = uniform(surfaces, Names::Exitance);
-  for (const char* other : {Names::Specular, Names::Mirror})
-    if (surfaces->GetCellData()->HasArray(other) && uniform(surfaces, other) != 0.0)
-      return {};
-  if (!reflectance || !exitance || !(*exitance > 0) || luminaires->GetNumberOfPoints() > 0 || !isClosed(surfaces))
-    return {};
-  return *exitance / (1 - *reflectance);
-}
-
 /// Whether a set is a cut of a surface: triangles with cell normals.
 bool isSurfaceCut(vtkDataObject* block)
 {
@@ -83,7 +34,7 @@ QString blockName(vtkMultiBlockDataSet* blocks, unsigned int i)
 }
 }  // namespace
 
-ScenePtr SceneDocument::open(const QString& path)
+ScenePtr SceneDocument::open(const QString& path, bool turned)
 {
   auto document = std::make_shared<SceneDocument>();
   document->Path = QFileInfo(path).absoluteFilePath();
@@ -102,10 +53,14 @@ ScenePtr SceneDocument::open(const QString& path)
     file.close();
     document->read(file.fileName());
     document->Cameras.clear();
+    document->Turned = turned;
+    if (turned)
+      document->Surfaces = studio::turned(document->Surfaces);
+    document->Outward = studio::facesOutward(document->Surfaces);
   }
-  document->Edges = findEdges(document->Surfaces, false);
+  document->Edges = singularEdges(document->Surfaces, false);
   document->Painted = paintedSurface(document->Surfaces);
-  document->Furnace = furnace(document->Surfaces, document->Luminaires);
+  document->Furnace = studio::furnaceIlluminance(document->Surfaces, document->Luminaires);
   return document;
 }
 
@@ -124,9 +79,9 @@ void SceneDocument::read(const QString& sceneFile)
   {
     CameraPreset camera;
     camera.name = QString::fromStdString(reader->GetCameraName(i));
-    reader->GetCameraPosition(i, camera.position.data());
-    reader->GetCameraTarget(i, camera.target.data());
-    reader->GetCameraUp(i, camera.up.data());
+    reader->GetCameraPosition(i, camera.position.GetData());
+    reader->GetCameraTarget(i, camera.target.GetData());
+    reader->GetCameraUp(i, camera.up.GetData());
     camera.fieldOfView = reader->GetCameraFieldOfView(i);
     this->Cameras << camera;
   }
@@ -173,11 +128,8 @@ vtkSmartPointer<vtkMultiBlockDataSet> SceneDocument::receivers(const QStringList
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   auto add = [&](const QString& name, vtkDataObject* data) {
-    if (!names.contains(name))
-      return;
-    const unsigned int at = blocks->GetNumberOfBlocks();
-    blocks->SetBlock(at, data);
-    blocks->GetMetaData(at)->Set(vtkCompositeDataSet::NAME(), name.toUtf8().constData());
+    if (names.contains(name))
+      addSet(blocks, name, data);
   };
   if (this->Painted.receivers->GetNumberOfCells() > 0)
     add(paintedName(), this->Painted.receivers);

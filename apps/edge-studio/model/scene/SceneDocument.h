@@ -23,8 +23,8 @@ class SceneDocument
 public:
   /// A Kalos scene file or a model (gltf, glb, obj with materials), or a bare mesh (obj, ply, stl, vtp), which is then
   /// lit as a white furnace: reflectance 0.5 and exitance 100 lm/m2 everywhere, so that the illuminance is 200 lx at
-  /// every point of a closed mesh. Throws Problem.
-  static std::shared_ptr<const SceneDocument> open(const QString& path);
+  /// every point of a closed mesh with its fronts inside. `turned` exchanges the sides of a bare mesh. Throws Problem.
+  static std::shared_ptr<const SceneDocument> open(const QString& path, bool turned = false);
 
   const QString& path() const { return this->Path; }
   QString name() const;
@@ -44,17 +44,20 @@ public:
   /// These sets as blocks, for vtkKalosIlluminance.
   vtkSmartPointer<vtkMultiBlockDataSet> receivers(const QStringList& names) const;
 
-  /// Illuminance at every surface point where it is known: a closed scene of one reflectance, all of it emitting alike.
+  /// Illuminance at every surface point where it is known, see Furnace.h.
   std::optional<double> furnaceIlluminance() const { return this->Furnace; }
   /// Whether some surface has gloss or a mirror, so that its luminance depends on where one looks from.
   bool hasGloss() const;
   bool isBareMesh() const { return this->BareMesh; }
+  bool isTurned() const { return this->Turned; }
+  /// A closed bare mesh with its fronts outside: it lights the space around it, and its inside stays dark.
+  bool facesOutward() const { return this->Outward; }
 
 private:
   void read(const QString& sceneFile);
 
   QString Path;
-  bool BareMesh = false;
+  bool BareMesh = false, Turned = false, Outward = false;
   vtkSmartPointer<vtkPolyData> Surfaces, Luminaires, Edges;
   PaintedSurface Painted;
   vtkSmartPointer<vtkMultiBlockDataSet> FileReceivers;

@@ -7,12 +7,12 @@
 #include <map>
 #include <vector>
 
+#include "base/DataSets.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkKalosArrayNames.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkTriangle.h"
@@ -65,24 +65,14 @@ public:
   }
 
 private:
-  double squaredLength(vtkIdType a, vtkIdType b)
-  {
-    double p[3], q[3];
-    this->Points->GetPoint(a, p);
-    this->Points->GetPoint(b, q);
-    return vtkMath::Distance2BetweenPoints(p, q);
-  }
+  Point at(vtkIdType point) const { return Point(this->Points->GetPoint(point)); }
+  double squaredLength(vtkIdType a, vtkIdType b) const { return (this->at(b) - this->at(a)).SquaredNorm(); }
 
   vtkIdType middle(vtkIdType a, vtkIdType b)
   {
     const auto [entry, isNew] = this->Middles.try_emplace(std::minmax(a, b), 0);
     if (isNew)
-    {
-      double p[3], q[3];
-      this->Points->GetPoint(a, p);
-      this->Points->GetPoint(b, q);
-      entry->second = this->Points->InsertNextPoint(0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]));
-    }
+      entry->second = this->Points->InsertNextPoint((0.5 * (this->at(a) + this->at(b))).GetData());
     return entry->second;
   }
 
@@ -134,21 +124,6 @@ vtkSmartPointer<vtkPolyData> cutLong(vtkPolyData* triangles, double longest)
   return result;
 }
 
-void cellCentre(vtkPolyData* data, vtkIdType cell, double at[3])
-{
-  vtkIdType count;
-  const vtkIdType* corners;
-  data->GetCellPoints(cell, count, corners);
-  std::fill(at, at + 3, 0.0);
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    double corner[3];
-    data->GetPoint(corners[k], corner);
-    for (int i = 0; i < 3; ++i)
-      at[i] += corner[i] / static_cast<double>(count);
-  }
-}
-
 int facing(vtkDataArray* normals, vtkIdType cell)
 {
   double n[3];
@@ -173,8 +148,8 @@ vtkSmartPointer<vtkIdList> largestNearby(vtkPolyData* triangles, double cube)
                *reflectance = triangles->GetCellData()->GetArray(vtkKalosArrayNames::Reflectance);
   for (vtkIdType i = 0; i < triangles->GetNumberOfCells(); ++i)
   {
-    double at[3], code = 0;
-    cellCentre(triangles, i, at);
+    const Point at = cellCentre(triangles, i);
+    double code = 0;
     for (int c = 0; reflectance && c < reflectance->GetNumberOfComponents(); ++c)
       code = 3 * code + reflectance->GetComponent(i, c);
     const double size = area(triangles, i);

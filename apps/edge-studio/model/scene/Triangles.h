@@ -18,9 +18,6 @@ void copyCellData(vtkPolyData* from, vtkIdList* cells, vtkPolyData* to);
 /// The triangles, halved at their longest edge until none is longer than `longest` m, with their cell data.
 vtkSmartPointer<vtkPolyData> cutLong(vtkPolyData* triangles, double longest);
 
-/// The mean of a cell's corners, m.
-void cellCentre(vtkPolyData* data, vtkIdType cell, double at[3]);
-
 /// Which of the six directions of the axes a cell's normal is nearest to, 0 to 5.
 int facing(vtkDataArray* normals, vtkIdType cell);
 

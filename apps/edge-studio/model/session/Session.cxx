@@ -9,8 +9,8 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 
+#include "base/Files.h"
 #include "base/JsonFields.h"
-#include "base/Problem.h"
 #include "results/ResultFiles.h"
 
 namespace studio
@@ -24,50 +24,56 @@ QDir resultsFolder(const QString& path)
   const QFileInfo file(path);
   return QDir(file.absoluteDir().filePath(file.completeBaseName() + QStringLiteral(".results")));
 }
+
+/// Writes what runs have found into a folder, and returns the list of them.
+QJsonArray writeResults(const Workbench& bench, const QDir& folder)
+{
+  QJsonArray list;
+  for (const ResultPtr& result : bench.results())
+    if (result && !result->preview)
+    {
+      QDir().mkpath(folder.path());
+      const QString name = QStringLiteral("%1.vtm").arg(list.size() + 1);
+      writeResult(*result, folder.filePath(name));
+      list.append(QJsonObject{{QStringLiteral("settings"), result->settings.toJson()},
+                              {QStringLiteral("complete"), result->complete},
+                              {QStringLiteral("file"), name}});
+    }
+  if (const ResultPtr image = bench.image().result(); image && image->complete)
+  {
+    QDir().mkpath(folder.path());
+    writeImage(*image, folder.filePath(imageFile));
+  }
+  return list;
+}
 }  // namespace
 
 void saveSession(const Workbench& bench, const CameraPreset& camera, const QString& path)
 {
   if (!bench.scene())
     throw Problem(QStringLiteral("%1: session: there is no scene; expected an open one").arg(path));
+  if (QFileInfo(path).exists() && !isSession(path))
+    throw Problem(QStringLiteral("%1: file: is not a session; expected a new name or that of a session").arg(path));
   const QDir results = resultsFolder(path), fresh(results.path() + QStringLiteral(".new"));
   QDir(fresh).removeRecursively();
-  QJsonArray list;
-  for (const ResultPtr& result : bench.results())
-    if (result->complete)
-    {
-      QDir().mkpath(fresh.path());
-      const QString name = QStringLiteral("%1.vtm").arg(list.size() + 1);
-      writeResult(*result, fresh.filePath(name));
-      list.append(QJsonObject{{QStringLiteral("settings"), result->settings.toJson()}, {QStringLiteral("file"), name}});
-    }
   QJsonObject session{{QStringLiteral("kalos_edge_studio"), 1},
                       {QStringLiteral("scene"), QFileInfo(path).absoluteDir().relativeFilePath(bench.scene()->path())},
+                      {QStringLiteral("turned"), bench.scene()->isTurned()},
                       {QStringLiteral("settings"), bench.settings().toJson()},
                       {QStringLiteral("display"), bench.display().toJson()},
                       {QStringLiteral("compute"), QJsonArray::fromStringList(bench.chosenSets())},
                       {QStringLiteral("camera"), camera.toJson()},
-                      {QStringLiteral("results"), list}};
+                      {QStringLiteral("results"), writeResults(bench, fresh)}};
   if (bench.study())
     session[QStringLiteral("study")] = bench.study()->toJson();
   if (const auto& request = bench.image().request())
-  {
     session[QStringLiteral("image")] = request->toJson();
-    if (const ResultPtr image = bench.image().result(); image && image->complete)
-    {
-      QDir().mkpath(fresh.path());
-      writeImage(*image, fresh.filePath(imageFile));
-    }
-  }
   QSaveFile file(path);
-  const QByteArray text = QJsonDocument(session).toJson();
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
-    throw Problem(QStringLiteral("%1: file: %2; expected a place that can be written").arg(path, file.errorString()));
+  fillFile(file, QJsonDocument(session).toJson());
   QDir(results).removeRecursively();
   if (fresh.exists() && !QDir().rename(fresh.path(), results.path()))
-    throw Problem(QStringLiteral("%1: file: can not be renamed; expected a writable folder").arg(fresh.path()));
-  if (!file.commit())
-    throw Problem(QStringLiteral("%1: file: %2; expected a place that can be written").arg(path, file.errorString()));
+    throw Problem(QStringLiteral("%1: file: cannot be renamed; expected a writable folder").arg(fresh.path()));
+  commitFile(file);
 }
 
 bool isSession(const QString& path)
@@ -77,7 +83,24 @@ bool isSession(const QString& path)
          QJsonDocument::fromJson(file.readAll()).object().contains(QStringLiteral("kalos_edge_studio"));
 }
 
-std::optional<CameraPreset> openSession(Workbench& bench, const QString& path)
+namespace
+{
+/// What a session file says, with its results.
+struct Stored
+{
+  QString scene;
+  bool turned = false;
+  MethodSettings settings;
+  Display display;
+  QStringList compute;
+  CameraPreset camera;
+  QVector<ResultPtr> results;
+  std::optional<Study> study;
+  std::optional<ImageRequest> request;
+  ResultPtr image;
+};
+
+QJsonObject objectIn(const QString& path)
 {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
@@ -87,58 +110,69 @@ std::optional<CameraPreset> openSession(Workbench& bench, const QString& path)
   if (!document.isObject())
     throw Problem(
         QStringLiteral("%1: offset %2: %3; expected a session").arg(path).arg(error.offset).arg(error.errorString()));
+  return document.object();
+}
 
-  // Read everything before anything on the bench changes.
-  JsonFields fields(document.object(), path + QStringLiteral(": session"));
-  qint64 version = 1;
-  QString scene;
-  fields.integer(QStringLiteral("kalos_edge_studio"), version, 1);
-  fields.text(QStringLiteral("scene"), scene);
-  const auto settings =
-      MethodSettings::fromJson(fields.object(QStringLiteral("settings")), fields.at(QStringLiteral("settings")));
-  const auto display =
-      Display::fromJson(fields.object(QStringLiteral("display")), fields.at(QStringLiteral("display")));
-  QStringList compute;
-  for (const QJsonValue& name : fields.array(QStringLiteral("compute")))
-    compute << name.toString();
-  const auto camera =
-      CameraPreset::fromJson(fields.object(QStringLiteral("camera")), fields.at(QStringLiteral("camera")));
+QVector<ResultPtr> readResults(const QJsonArray& list, const QString& where, const QDir& folder)
+{
   QVector<ResultPtr> results;
-  for (const QJsonValue& entry : fields.array(QStringLiteral("results")))
+  for (const QJsonValue& entry : list)
   {
-    const QString where = fields.at(QStringLiteral("results/%1").arg(results.size()));
-    JsonFields result(entry.toObject(), where);
+    JsonFields fields(entry.toObject(), where + QStringLiteral("/%1").arg(results.size()));
     QString name;
-    result.text(QStringLiteral("file"), name);
-    const auto of =
-        MethodSettings::fromJson(result.object(QStringLiteral("settings")), where + QStringLiteral("/settings"));
-    result.finish();
-    results << readResult(of, resultsFolder(path).filePath(QFileInfo(name).fileName()));
+    MethodSettings settings;
+    bool complete = true;
+    fields.text(QStringLiteral("file"), name);
+    fields.read(QStringLiteral("settings"), settings);
+    fields.flag(QStringLiteral("complete"), complete);
+    fields.finish();
+    results << readResult(settings, complete, folder.filePath(QFileInfo(name).fileName()));
   }
-  std::optional<Study> study;
-  if (const QJsonObject object = fields.object(QStringLiteral("study")); !object.isEmpty())
-    study = Study::fromJson(object, fields.at(QStringLiteral("study")));
-  std::optional<ImageRequest> request;
-  ResultPtr image;
-  if (const QJsonObject object = fields.object(QStringLiteral("image")); !object.isEmpty())
+  return results;
+}
+
+Stored read(const QString& path)
+{
+  Stored stored;
+  JsonFields fields(objectIn(path), path + QStringLiteral(": session"));
+  const QString results = QStringLiteral("results"), study = QStringLiteral("study"), image = QStringLiteral("image");
+  qint64 version = 1;
+  fields.integer(QStringLiteral("kalos_edge_studio"), version, 1);
+  fields.text(QStringLiteral("scene"), stored.scene);
+  fields.flag(QStringLiteral("turned"), stored.turned);
+  fields.read(QStringLiteral("settings"), stored.settings);
+  fields.read(QStringLiteral("display"), stored.display);
+  fields.texts(QStringLiteral("compute"), stored.compute);
+  fields.read(QStringLiteral("camera"), stored.camera);
+  stored.results = readResults(fields.array(results), fields.at(results), resultsFolder(path));
+  if (!fields.object(study).isEmpty())
+    fields.read(study, stored.study.emplace());
+  if (!fields.object(image).isEmpty())
   {
-    request = ImageRequest::fromJson(object, fields.at(QStringLiteral("image")));
-    if (const QString stored = resultsFolder(path).filePath(imageFile); QFileInfo(stored).isFile())
-      image = readImage(request->settings, stored);
+    fields.read(image, stored.request.emplace());
+    if (const QString kept = resultsFolder(path).filePath(imageFile); QFileInfo(kept).isFile())
+      stored.image = readImage(stored.request->settings, kept);
   }
   fields.finish();
-  bench.open(QFileInfo(path).absoluteDir().absoluteFilePath(scene));
-  bench.setSettings(settings);
-  bench.setDisplay(display);
-  bench.setChosenSets(compute);
-  for (const ResultPtr& result : results)
+  return stored;
+}
+}  // namespace
+
+CameraPreset openSession(Workbench& bench, const QString& path)
+{
+  const Stored stored = read(path);  // before anything on the bench changes
+  bench.open(QFileInfo(path).absoluteDir().absoluteFilePath(stored.scene), stored.turned);
+  bench.setSettings(stored.settings);
+  bench.setDisplay(stored.display);
+  bench.setChosenSets(stored.compute);
+  for (const ResultPtr& result : stored.results)
     bench.addResult(result);
-  bench.setStudy(study);
-  if (image)
-    bench.image().restore(*request, image);
-  else if (request)
-    bench.image().start(bench.scene(), *request);
-  return camera;
+  bench.setStudy(stored.study);
+  if (stored.image)
+    bench.image().restore(*stored.request, stored.image);
+  else if (stored.request)
+    bench.image().start(bench.scene(), *stored.request);
+  return stored.camera;
 }
 
 namespace

@@ -3,15 +3,16 @@
 #ifndef studio_Session_h
 #define studio_Session_h
 
-#include <optional>
-
 #include "session/Workbench.h"
 
 namespace studio
 {
-/// Writes NAME.json and, in the folder NAME.results, a .vtm for each complete result and a .vti of a complete image.
-/// The scene's path is relative where it can be. Throws Problem. What was there before is replaced only when all has
-/// been written.
+/// What the names of sessions end with.
+inline const QString sessionSuffix = QStringLiteral("kalos-session.json");
+
+/// Writes NAME.json and, in the folder NAME.results, a .vtm for each result, cancelled ones too, and a .vti of a
+/// complete image. The scene's path is relative where it can be. Throws Problem, also where another file than a session
+/// would be replaced. What was there before is replaced only when all has been written.
 void saveSession(const Workbench& bench, const CameraPreset& camera, const QString& path);
 
 /// Whether a JSON file is a session (and not a scene): its object has the key "kalos_edge_studio".
@@ -19,7 +20,7 @@ bool isSession(const QString& path);
 
 /// Opens the scene of a session on the bench, with all that was saved; returns the camera. An image that was not
 /// complete is computed anew, from where it was seen. Throws Problem, and then the bench stays as it was.
-std::optional<CameraPreset> openSession(Workbench& bench, const QString& path);
+CameraPreset openSession(Workbench& bench, const QString& path);
 
 /// Where a session is kept that was not closed in an orderly way.
 QString autosavePath();

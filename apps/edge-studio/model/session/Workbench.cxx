@@ -1,11 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "session/Workbench.h"
 
+#include "base/DataSets.h"
+#include "vtkKalosEstimatorAlgorithm.h"
+
 namespace studio
 {
-void Workbench::open(const QString& path)
+namespace
 {
-  const ScenePtr scene = SceneDocument::open(path);
+/// The fast method for a second, whatever the scene.
+MethodSettings firstLight()
+{
+  MethodSettings settings;
+  settings.method = vtkKalosEstimatorAlgorithm::GATHERED;
+  settings.goal = Goal::Time;
+  settings.seconds = 1;
+  return settings;
+}
+}  // namespace
+
+Workbench::Workbench(QObject* parent) : QObject(parent)
+{
+  this->Later.setSingleShot(true);
+  connect(&this->Later, &QTimer::timeout, this, &Workbench::showResult);
+}
+
+void Workbench::open(const QString& path, bool turned)
+{
+  const ScenePtr scene = SceneDocument::open(path, turned);
   this->Current.reset();
   this->CurrentHasResult = false;
   this->Scene = scene;
@@ -16,6 +38,10 @@ void Workbench::open(const QString& path)
   this->ShownIndex = -1;
   this->Studied.reset();
   this->Seen.forget();
+  this->Shown.hidden.clear();
+  this->Follows = true;
+  this->Unsaved = false;
+  this->Later.stop();
   emit this->runChanged();
   emit this->sceneChanged();
   emit this->resultsChanged();
@@ -64,10 +90,37 @@ void Workbench::run()
 
 void Workbench::runSeries(const QVector<MethodSettings>& series)
 {
-  if (!this->Scene || this->Chosen.isEmpty())
+  if (!this->Scene)
     return;
+  if (this->Chosen.isEmpty())
+  {
+    emit this->problem(tr("There is nothing to compute. Tick a set of points in the column Compute."));
+    return;
+  }
+  this->start(series, true);
+}
+
+void Workbench::runUnasked()
+{
+  if (this->Scene && !this->Chosen.isEmpty())
+    this->start({firstLight(), this->settings()}, false);
+}
+
+void Workbench::start(const QVector<MethodSettings>& series, bool asked)
+{
+  this->Asked = asked;
+  this->Follows = true;
   this->Series = series;
   this->runNext();
+}
+
+bool Workbench::showsAll() const
+{
+  const ResultPtr result = this->shown();
+  QStringList missing = this->Chosen;
+  for (const NamedSet& set : dataSets(result ? result->data.Get() : nullptr))
+    missing.removeAll(set.name);
+  return missing.isEmpty();
 }
 
 void Workbench::setStudy(const std::optional<Study>& study)
@@ -79,8 +132,6 @@ void Workbench::setStudy(const std::optional<Study>& study)
 void Workbench::runStudy(const Study& study)
 {
   this->setStudy(study);
-  if (!this->Results.isEmpty())
-    this->show(static_cast<int>(this->Results.size()) - 1);  // what is shown follows the newest result
   this->runSeries(study.series(*this->Scene, this->Results));
 }
 
@@ -97,27 +148,35 @@ void Workbench::runNext()
   if (this->Series.isEmpty())
     return;
   const MethodSettings settings = this->Series.takeFirst();
-  this->Current = std::make_unique<Run>(this->Scene, this->Scene->receivers(this->Chosen), settings);
+  // Where there is a picture already, a coarse one would cost time and show less.
+  this->Current = std::make_unique<Run>(this->Scene, this->Scene->receivers(this->Chosen), settings, !this->showsAll());
   this->CurrentHasResult = false;
   connect(this->Current.get(), &Run::refined, this, &Workbench::takeResult);
   // The run is replaced in what follows: not while it is still emitting.
   connect(
       this->Current.get(), &Run::ended, this,
       [this, run = this->Current.get()] {
-        if (run != this->Current.get())
-          return;  // another one was started meanwhile
-        const Run::State state = run->state();
-        if (state != Run::State::Finished)
-          this->Series.clear();
-        emit this->runChanged();
-        emit this->runEnded();
-        if (state == Run::State::Failed)
-          emit this->problem(run->problem());
-        this->runNext();
+        if (run == this->Current.get())  // else another one was started meanwhile
+          this->endRun();
       },
       Qt::QueuedConnection);
   emit this->runBegan();
   emit this->runChanged();
+}
+
+void Workbench::endRun()
+{
+  const Run::State state = this->Current->state();
+  const QString trouble = this->Current->problem();
+  if (state != Run::State::Finished)
+    this->Series.clear();
+  if (this->Later.isActive())
+    this->showResult();
+  emit this->runChanged();
+  emit this->runEnded();
+  if (state == Run::State::Failed)
+    emit this->problem(trouble);
+  this->runNext();
 }
 
 void Workbench::cancel()
@@ -129,18 +188,31 @@ void Workbench::cancel()
 
 void Workbench::takeResult()
 {
-  if (!this->CurrentHasResult)
+  const bool first = !this->CurrentHasResult;
+  if (first)
   {
     this->Results << nullptr;
     this->Tracks << QVector<QPointF>();
   }
   this->CurrentHasResult = true;
-  const bool follows = this->ShownIndex >= this->Results.size() - 2;
   const ResultPtr result = this->Current->result();
   this->Results.last() = result;
+  this->Unsaved = this->Unsaved || this->Asked;
   if (!result->preview && result->seconds > 0)
     this->Tracks.last() << QPointF(result->seconds, result->quality.typical);
-  this->ShownIndex = follows ? static_cast<int>(this->Results.size()) - 1 : this->ShownIndex;
+  const int wait = first || result->complete ? 0 : this->Budget.wait();
+  if (wait == 0)
+    this->showResult();
+  else if (!this->Later.isActive())
+    this->Later.start(wait);
+}
+
+void Workbench::showResult()
+{
+  this->Later.stop();
+  if (this->Follows)
+    this->ShownIndex = static_cast<int>(this->Results.size()) - 1;
+  this->Budget.redrawn();
   emit this->resultsChanged();
 }
 
@@ -156,6 +228,7 @@ void Workbench::addResult(const ResultPtr& result)
 void Workbench::show(int index)
 {
   this->ShownIndex = index;
+  this->Follows = index + 1 == this->Results.size();
   emit this->resultsChanged();
 }
 }  // namespace studio

@@ -5,12 +5,14 @@
 
 #include <QObject>
 #include <QPointF>
+#include <QTimer>
 #include <memory>
 
 #include "base/UndoHistory.h"
 #include "results/Display.h"
 #include "run/CameraImage.h"
 #include "run/Run.h"
+#include "session/RedrawBudget.h"
 #include "study/Study.h"
 
 namespace studio
@@ -20,10 +22,11 @@ class Workbench : public QObject
   Q_OBJECT
 
 public:
-  using QObject::QObject;
+  explicit Workbench(QObject* parent = nullptr);
 
-  /// Throws Problem; then the scene before stays. Results of the scene before are dropped.
-  void open(const QString& path);
+  /// Throws Problem; then the scene before stays. Results of the scene before are dropped. `turned` as in
+  /// SceneDocument::open().
+  void open(const QString& path, bool turned = false);
   const ScenePtr& scene() const { return this->Scene; }
 
   const MethodSettings& settings() const { return this->History.current(); }
@@ -40,6 +43,8 @@ public:
 
   Run* activeRun() const { return this->Current.get(); }  ///< the last one started, also when it has ended; null before
   bool isRunning() const { return this->Current && this->Current->active(); }
+  /// Whether a run that a user asked for is under way; others make room for the next one.
+  bool isBusy() const { return this->isRunning() && this->Asked; }
 
   /// Every run that left something, in the order of their starts; the last grows while it runs.
   const QVector<ResultPtr>& results() const { return this->Results; }
@@ -50,7 +55,16 @@ public:
 
   /// Runs these settings one after the other; cancel() stops the whole series.
   void runSeries(const QVector<MethodSettings>& series);
+  /// A picture in a second or two, then the chosen settings. Nobody asked for it, so that it is not unsaved().
+  void runUnasked();
+
+  /// Whether there are results of runs that were asked for since the last markSaved(), or such a run is under way.
+  bool unsaved() const { return this->Unsaved || this->isBusy(); }
+  void markSaved() { this->Unsaved = false; }
   int seriesLeft() const { return static_cast<int>(this->Series.size()); }  ///< after the run under way
+
+  /// ms until the window should show more of a run.
+  int redrawWait() const { return this->Budget.wait(); }
 
   /// How the error of each result fell while it ran: (s, root mean square of the relative standard error).
   const QVector<QVector<QPointF>>& tracks() const { return this->Tracks; }
@@ -85,8 +99,12 @@ signals:
   void problem(const QString& message);
 
 private:
+  void start(const QVector<MethodSettings>& series, bool asked);
   void runNext();
+  void endRun();
   void takeResult();
+  void showResult();
+  bool showsAll() const;
 
   ScenePtr Scene;
   UndoHistory<MethodSettings> History;
@@ -100,6 +118,11 @@ private:
   QVector<ResultPtr> Results;
   QVector<QVector<QPointF>> Tracks;
   int ShownIndex = -1;
+  bool Follows = true;  // what is shown changes to the newest result
+  bool Asked = false;   // for the run under way
+  bool Unsaved = false;
+  RedrawBudget Budget{0.08};
+  QTimer Later;  // to show what is new
 };
 }  // namespace studio
 

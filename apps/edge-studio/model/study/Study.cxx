@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "base/JsonFields.h"
-#include "base/Problem.h"
 #include "vtkKalosEstimatorAlgorithm.h"
 
 namespace studio
@@ -26,20 +25,6 @@ QJsonArray array(const QVector<double>& numbers)
   QJsonArray values;
   for (double number : numbers)
     values.append(number);
-  return values;
-}
-
-QVector<double> numbers(JsonFields& fields, const QString& key, double least)
-{
-  QVector<double> values;
-  for (const QJsonValue& item : fields.array(key))
-  {
-    values << item.toDouble(-1);
-    if (!(values.last() >= least))
-      throw Problem(QStringLiteral("%1: has a wrong value, expected numbers from %2").arg(fields.at(key)).arg(least));
-  }
-  if (values.isEmpty())
-    throw Problem(QStringLiteral("%1: is empty, expected an array of numbers").arg(fields.at(key)));
   return values;
 }
 }  // namespace
@@ -109,11 +94,10 @@ Study Study::fromJson(const QJsonObject& object, const QString& where)
 {
   Study study;
   JsonFields fields(object, where);
-  study.base =
-      MethodSettings::fromJson(fields.object(QStringLiteral("settings")), fields.at(QStringLiteral("settings")));
-  study.trajectories = numbers(fields, QStringLiteral("trajectories"), 1);
-  study.deltas = numbers(fields, QStringLiteral("delta"), 0);
-  study.epsilons = numbers(fields, QStringLiteral("epsilon"), 0);
+  fields.read(QStringLiteral("settings"), study.base);
+  fields.list(QStringLiteral("trajectories"), study.trajectories, 1);
+  fields.list(QStringLiteral("delta"), study.deltas, 0);
+  fields.list(QStringLiteral("epsilon"), study.epsilons, 0);
   fields.finish();
   return study;
 }

@@ -3,16 +3,15 @@
 
 #include <QBuffer>
 #include <QContextMenuEvent>
-#include <QFileDialog>
 #include <QImage>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPainter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
-#include "base/Problem.h"
+#include "base/Files.h"
 #include "charts/ChartDrawing.h"
+#include "common/SaveDialog.h"
 
 namespace studio
 {
@@ -20,8 +19,10 @@ namespace
 {
 void saveAs(QWidget* parent, const Chart& chart)
 {
-  const QString path = QFileDialog::getSaveFileName(parent, ChartView::tr("Save the chart"), QString(),
-                                                    ChartView::tr("SVG (*.svg);;PNG (*.png);;CSV (*.csv)"));
+  const QString path = askSavePath(parent, ChartView::tr("Save the chart"),
+                                   {{ChartView::tr("SVG"), QStringLiteral("svg")},
+                                    {ChartView::tr("PNG"), QStringLiteral("png")},
+                                    {ChartView::tr("CSV"), QStringLiteral("csv")}});
   if (path.isEmpty())
     return;
   try
@@ -87,8 +88,6 @@ void ChartView::save(const Chart& chart, const QString& path, const QSizeF& size
     painter.end();
     image.save(&buffer, "PNG");
   }
-  QSaveFile file(path);
-  if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-    throw Problem(QStringLiteral("%1: file: %2; expected a place that can be written").arg(path, file.errorString()));
+  writeFile(path, bytes);
 }
 }  // namespace studio

@@ -18,7 +18,7 @@ public:
   void setChart(const Chart& chart);
   const Chart& chart() const { return this->Shown; }
 
-  /// To .svg, .png or .csv, as the name says. Throws Problem where the file can not be written.
+  /// To .svg, .png or .csv, as the name says. Throws Problem where the file cannot be written.
   static void save(const Chart& chart, const QString& path, const QSizeF& size = {720, 480});
 
 protected:

@@ -7,11 +7,11 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "common/Wording.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkPointData.h"
-#include "words/Wording.h"
 
 namespace studio
 {

@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "words/Wording.h"
+#include "common/Wording.h"
 
 namespace studio
 {
@@ -69,7 +69,6 @@ MethodPanel::MethodPanel(Workbench* bench, QWidget* parent) : QWidget(parent), B
   connect(bench, &Workbench::runChanged, this, &MethodPanel::showRun);
   connect(bench, &Workbench::resultsChanged, this, &MethodPanel::showRun);
   connect(&this->Tick, &QTimer::timeout, this, &MethodPanel::showRun);
-  this->Tick.setInterval(250);
   this->readSettings();
   this->showRun();
 }
@@ -191,11 +190,12 @@ void MethodPanel::showRun()
 {
   const Run* run = this->Bench->activeRun();
   const bool active = this->Bench->isRunning(), paused = active && run->state() == Run::State::Paused;
-  this->RunButton->setEnabled(this->Bench->scene() != nullptr && !active);
+  this->RunButton->setEnabled(this->Bench->scene() != nullptr && !this->Bench->isBusy());
   this->PauseButton->setEnabled(active);
   this->PauseButton->setText(paused ? tr("Continue") : tr("Pause"));
   this->CancelButton->setEnabled(active);
-  active && !paused ? this->Tick.start() : this->Tick.stop();
+  // Every word that changes has the whole window drawn anew, where software draws it.
+  active && !paused ? this->Tick.start(std::max(250, this->Bench->redrawWait())) : this->Tick.stop();
   this->Progress->setValue(run ? static_cast<int>(1000 * run->progress()) : 0);
   this->Times->setText(run ? describeTimes(*run) : QString());
   this->Errors->setText(run && run->result() ? describeQuality(*run->result()) : QString());

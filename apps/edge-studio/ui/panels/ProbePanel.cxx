@@ -4,7 +4,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "words/Wording.h"
+#include "common/Wording.h"
 
 namespace studio
 {
@@ -16,10 +16,9 @@ QVector<QVector<Point>> cross(const Point& at, double size)
   QVector<QVector<Point>> lines;
   for (int axis = 0; axis < 3; ++axis)
   {
-    Point from = at, to = at;
-    from[axis] -= size;
-    to[axis] += size;
-    lines.append({from, to});
+    Point arm(0, 0, 0);
+    arm[axis] = size;
+    lines.append({at - arm, at + arm});
   }
   return lines;
 }
@@ -77,7 +76,9 @@ void ProbePanel::show()
 {
   const auto estimate = this->Point.estimate();
   if (estimate)
-    this->Value->setText(tr("%1 ± %2 lx").arg(estimate->value, 0, 'g', 4).arg(estimate->error, 0, 'g', 2));
+    this->Value->setText(estimate->dark()
+                             ? tr("0 lx")
+                             : tr("%1 ± %2 lx").arg(estimate->value, 0, 'g', 4).arg(estimate->error, 0, 'g', 2));
   else
     this->Value->setText(this->Point.pick() ? tr("…") : QString());
   QStringList about;
@@ -91,9 +92,11 @@ void ProbePanel::show()
     if (this->Point.edge())
       about << describe(*this->Point.edge());
   }
-  if (estimate)
+  if (estimate && estimate->dark())
+    about << tr("no trajectory has brought light here: the error is not known");
+  else if (estimate)
     about << (estimate->trusted ? tr("the standard error can be trusted")
-                                : tr("the standard error can not be trusted: single scores carry the estimate"));
+                                : tr("the standard error cannot be trusted: single scores carry the estimate"));
   this->Place->setText(about.join(QLatin1Char('\n')));
   this->Convergence->setChart(this->Point.convergence());
   this->Histogram->setChart(this->Point.histogram());

@@ -8,7 +8,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "words/Wording.h"
+#include "common/Wording.h"
 
 namespace studio
 {

@@ -22,8 +22,8 @@ SpeedPanel::SpeedPanel(Workbench* bench, QWidget* parent) : QWidget(parent), Ben
   connect(all, &QPushButton::clicked, this, &SpeedPanel::runAll);
   connect(bench, &Workbench::resultsChanged, this, [this] { this->View->setChart(this->chart()); });
   connect(bench, &Workbench::runChanged, this,
-          [this, all] { all->setEnabled(this->Bench->scene() && !this->Bench->isRunning()); });
-  connect(bench, &Workbench::sceneChanged, this, [this, all] { all->setEnabled(!this->Bench->isRunning()); });
+          [this, all] { all->setEnabled(this->Bench->scene() && !this->Bench->isBusy()); });
+  connect(bench, &Workbench::sceneChanged, this, [this, all] { all->setEnabled(!this->Bench->isBusy()); });
   all->setEnabled(false);
   this->View->setChart(this->chart());
 }

@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "common/Wording.h"
 #include "view/Pictures.h"
-#include "words/Wording.h"
 
 namespace studio
 {
@@ -116,7 +116,7 @@ StudyPanel::StudyPanel(Workbench* bench, SceneView* view, QWidget* parent) : QWi
   connect(bench, &Workbench::resultsChanged, this, &StudyPanel::refresh);
   connect(bench, &Workbench::displayChanged, this, &StudyPanel::refresh);
   connect(bench, &Workbench::runChanged, this,
-          [this] { this->Start->setEnabled(this->Bench->scene() && !this->Bench->isRunning()); });
+          [this] { this->Start->setEnabled(this->Bench->scene() && !this->Bench->isBusy()); });
   connect(this->Grid, &QTableWidget::cellClicked, this, [this](int row, int column) {
     const int index = this->Bench->results().lastIndexOf(this->Cells.value(row * this->Grid->columnCount() + column));
     if (index >= 0)

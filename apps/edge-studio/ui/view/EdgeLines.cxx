@@ -3,12 +3,12 @@
 
 #include <cmath>
 
+#include "base/Point.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkKalosSingularEdges.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 
@@ -30,27 +30,22 @@ public:
     this->Lines->GetCellData()->AddArray(this->Severity);
   }
 
-  void add(const double from[3], const double to[3], double severity)
+  void add(const Point& from, const Point& to, double severity)
   {
     this->Lines->GetLines()->InsertNextCell(2);
-    for (const double* p : {from, to})
-      this->Lines->GetLines()->InsertCellPoint(this->Lines->GetPoints()->InsertNextPoint(p));
+    for (const Point& p : {from, to})
+      this->Lines->GetLines()->InsertCellPoint(this->Lines->GetPoints()->InsertNextPoint(p.GetData()));
     this->Severity->InsertNextValue(severity);
   }
 
-  void addDashes(const double from[3], const double to[3], double severity, double dash)
+  void addDashes(const Point& from, const Point& to, double severity, double dash)
   {
-    const double length = std::sqrt(vtkMath::Distance2BetweenPoints(from, to));
+    const double length = (to - from).Norm();
     const int count = std::max(1, static_cast<int>(std::lround(length / (2 * dash))));
-    auto at = [&](double t, double p[3]) {
-      for (int i = 0; i < 3; ++i)
-        p[i] = (1 - t) * from[i] + t * to[i];
-    };
+    auto at = [&](double t) { return (1 - t) * from + t * to; };
     for (int k = 0; k < count; ++k)
     {
-      double begin[3], end[3];
-      at((k + 0.2) / count, begin);
-      at((k + 0.8) / count, end);
+      const Point begin = at((k + 0.2) / count), end = at((k + 0.8) / count);
       this->add(begin, end, severity);
     }
   }
@@ -77,9 +72,9 @@ EdgeLines edgeLines(vtkPolyData* singularEdges, double dash)
     singularEdges->GetCellPoints(i, ids);
     for (vtkIdType k = 0; k + 1 < ids->GetNumberOfIds(); ++k)
     {
-      double from[3], to[3];
-      singularEdges->GetPoint(ids->GetId(k), from);
-      singularEdges->GetPoint(ids->GetId(k + 1), to);
+      Point from, to;
+      singularEdges->GetPoint(ids->GetId(k), from.GetData());
+      singularEdges->GetPoint(ids->GetId(k + 1), to.GetData());
       if (classes->GetComponent(i, 0) == vtkKalosSingularEdges::CONTACT)
         contacts.addDashes(from, to, severity, dash);
       else

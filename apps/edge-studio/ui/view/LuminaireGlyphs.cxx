@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/LuminaireGlyphs.h"
 
-#include <array>
 #include <cmath>
 #include <string>
 
+#include "base/Point.h"
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
 #include "vtkKalosArrayNames.h"
@@ -18,18 +18,10 @@ namespace studio
 {
 namespace
 {
-using Point = std::array<double, 3>;
-
 struct Frame
 {
   Point origin, u, v, axis;
-  Point at(double x, double y, double z) const
-  {
-    Point p;
-    for (int i = 0; i < 3; ++i)
-      p[i] = this->origin[i] + x * this->u[i] + y * this->v[i] + z * this->axis[i];
-    return p;
-  }
+  Point at(double x, double y, double z) const { return this->origin + x * this->u + y * this->v + z * this->axis; }
 };
 
 class Lines
@@ -47,7 +39,7 @@ public:
   {
     this->Data->GetLines()->InsertNextCell(static_cast<int>(points.size()));
     for (const Point& p : points)
-      this->Data->GetLines()->InsertCellPoint(this->Data->GetPoints()->InsertNextPoint(p.data()));
+      this->Data->GetLines()->InsertCellPoint(this->Data->GetPoints()->InsertNextPoint(p.GetData()));
   }
 
 private:
@@ -83,7 +75,7 @@ Point upOf(vtkPointData* data, vtkIdType luminaire, const Frame& frame)
 {
   Point up = frame.v;
   if (vtkDataArray* ups = data->GetArray(vtkKalosArrayNames::Up))
-    ups->GetTuple(luminaire, up.data());
+    ups->GetTuple(luminaire, up.GetData());
   return up;
 }
 
@@ -96,7 +88,7 @@ bool addTable(Frame frame, const Point& up, vtkFieldData* fields, int index, dou
   if (!table || !poles || poles->GetComponent(index, 0) != 0)
     return false;
   frame.v = up;
-  vtkMath::Cross(frame.axis.data(), up.data(), frame.u.data());
+  frame.u = frame.axis.Cross(up);
   const double largest = table->GetRange(2)[1];
   std::vector<Point> curve;
   for (vtkIdType i = 0; i < table->GetNumberOfTuples(); ++i)
@@ -127,12 +119,12 @@ vtkSmartPointer<vtkPolyData> luminaireGlyphs(vtkPolyData* luminaires, double siz
   for (vtkIdType i = 0; i < luminaires->GetNumberOfPoints(); ++i)
   {
     Frame frame{};
-    luminaires->GetPoint(i, frame.origin.data());
-    frame.axis = {0, 0, -1};
+    luminaires->GetPoint(i, frame.origin.GetData());
+    frame.axis = Point(0, 0, -1);
     if (directions)
-      directions->GetTuple(i, frame.axis.data());
-    vtkMath::Normalize(frame.axis.data());
-    vtkMath::Perpendiculars(frame.axis.data(), frame.u.data(), frame.v.data(), 0);
+      directions->GetTuple(i, frame.axis.GetData());
+    frame.axis.Normalize();
+    vtkMath::Perpendiculars(frame.axis.GetData(), frame.u.GetData(), frame.v.GetData(), 0);
     const int kind = distributions ? static_cast<int>(distributions->GetComponent(i, 0))
                                    : static_cast<int>(vtkKalosLuminaireSource::LAMBERTIAN);
     if (kind == vtkKalosLuminaireSource::ISOTROPIC)
@@ -151,9 +143,9 @@ vtkSmartPointer<vtkPolyData> luminaireGlyphs(vtkPolyData* luminaires, double siz
     if (!sidesU || !sidesV)
       continue;
     Frame panel = frame;
-    sidesU->GetTuple(i, panel.u.data());
-    sidesV->GetTuple(i, panel.v.data());
-    if (vtkMath::Norm(panel.u.data()) > 0)
+    sidesU->GetTuple(i, panel.u.GetData());
+    sidesV->GetTuple(i, panel.v.GetData());
+    if (panel.u.Norm() > 0)
       lines.add({panel.at(-0.5, -0.5, 0), panel.at(0.5, -0.5, 0), panel.at(0.5, 0.5, 0), panel.at(-0.5, 0.5, 0),
                  panel.at(-0.5, -0.5, 0)});
   }

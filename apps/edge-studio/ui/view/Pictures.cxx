@@ -2,12 +2,12 @@
 #include "view/Pictures.h"
 
 #include "base/DataSets.h"
+#include "common/Wording.h"
 #include "results/Colours.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkPointData.h"
-#include "words/Wording.h"
 
 namespace studio
 {

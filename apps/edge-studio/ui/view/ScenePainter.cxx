@@ -21,7 +21,7 @@ namespace studio
 {
 namespace
 {
-vtkSmartPointer<vtkPolyData> linesOf(const QVector<QVector<std::array<double, 3>>>& lines)
+vtkSmartPointer<vtkPolyData> linesOf(const QVector<QVector<Point>>& lines)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -30,7 +30,7 @@ vtkSmartPointer<vtkPolyData> linesOf(const QVector<QVector<std::array<double, 3>
   {
     cells->InsertNextCell(line.size());
     for (const auto& point : line)
-      cells->InsertCellPoint(points->InsertNextPoint(point.data()));
+      cells->InsertCellPoint(points->InsertNextPoint(point.GetData()));
   }
   data->SetPoints(points);
   data->SetLines(cells);
@@ -144,7 +144,7 @@ vtkSmartPointer<vtkDataSet> ScenePainter::onShape(vtkDataSet* receivers, const P
   return shape;
 }
 
-void ScenePainter::mark(const QVector<QVector<std::array<double, 3>>>& lines)
+void ScenePainter::mark(const QVector<QVector<Point>>& lines)
 {
   if (this->Marks)
     this->Renderer->RemoveActor(this->Marks);

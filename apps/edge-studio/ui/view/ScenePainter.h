@@ -32,7 +32,7 @@ public:
   /// Sets that the picture does not colour are drawn as plain grey shapes, others not at all.
   void paint(const Picture& picture, const Display& display);
   /// A small cross on the surface, and a line from there.
-  void mark(const QVector<QVector<std::array<double, 3>>>& lines);
+  void mark(const QVector<QVector<Point>>& lines);
 
   /// A line at the right side, towards another picture.
   void setDivider(bool shown) { this->Divider->SetVisibility(shown); }

@@ -15,9 +15,9 @@ namespace
 void place(vtkRenderer* renderer, const CameraPreset& preset)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(preset.position.data());
-  camera->SetFocalPoint(preset.target.data());
-  camera->SetViewUp(preset.up.data());
+  camera->SetPosition(preset.position.GetData());
+  camera->SetFocalPoint(preset.target.GetData());
+  camera->SetViewUp(preset.up.GetData());
   renderer->ResetCameraClippingRange();
 }
 }  // namespace
@@ -177,9 +177,9 @@ CameraPreset SceneView::camera() const
 {
   vtkCamera* camera = const_cast<ScenePainter&>(this->First).renderer()->GetActiveCamera();
   CameraPreset preset;
-  camera->GetPosition(preset.position.data());
-  camera->GetFocalPoint(preset.target.data());
-  camera->GetViewUp(preset.up.data());
+  camera->GetPosition(preset.position.GetData());
+  camera->GetFocalPoint(preset.target.GetData());
+  camera->GetViewUp(preset.up.GetData());
   preset.fieldOfView = this->FieldOfView;
   return preset;
 }

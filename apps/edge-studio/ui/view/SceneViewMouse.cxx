@@ -12,10 +12,12 @@ bool SceneView::onSwipeLine(const QPointF& at) const
   return this->Mode == Layout::Swipe && std::abs(at.x() - this->SwipeAt * this->width()) < 6;
 }
 
-// VTK takes mouse events from here, before the handlers below: a drag of the swipe line is not for it.
+// VTK takes mouse events and keys from here, before the handlers below: a drag of the swipe line is not for it.
 bool SceneView::event(QEvent* event)
 {
   const auto type = event->type();
+  if (type == QEvent::KeyPress || type == QEvent::KeyRelease)
+    return QWidget::event(event);  // VTK's keys would switch to wireframe, stereo, and so on
   const bool press = type == QEvent::MouseButtonPress, release = type == QEvent::MouseButtonRelease;
   if (!press && !release && type != QEvent::MouseMove)
     return QVTKOpenGLNativeWidget::event(event);

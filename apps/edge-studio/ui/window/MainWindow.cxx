@@ -8,6 +8,7 @@
 #include <QStatusBar>
 #include <QTabWidget>
 
+#include "common/Wording.h"
 #include "panels/ComparePanel.h"
 #include "panels/ImagePanel.h"
 #include "panels/MethodPanel.h"
@@ -16,8 +17,8 @@
 #include "panels/SpeedPanel.h"
 #include "panels/StudyPanel.h"
 #include "results/Colours.h"
+#include "session/Preferences.h"
 #include "view/Pictures.h"
-#include "words/Wording.h"
 
 namespace studio
 {
@@ -131,8 +132,14 @@ void MainWindow::makeMenus()
     emit this->Bench.runChanged();
   });
   QAction* cancel = add(run, tr("&Cancel"), Qt::Key_Escape, [this] { this->Bench.cancel(); });
+  run->addSeparator();
+  QAction* light = run->addAction(tr("&Light a scene when it is opened"));
+  light->setObjectName(QStringLiteral("light"));
+  light->setCheckable(true);
+  light->setChecked(lightsOnOpening());
+  connect(light, &QAction::toggled, this, &setLightsOnOpening);
   auto enableRun = [this, start, pause, cancel] {
-    start->setEnabled(this->Bench.scene() && !this->Bench.isRunning());
+    start->setEnabled(this->Bench.scene() && !this->Bench.isBusy());
     pause->setEnabled(this->Bench.isRunning());
     cancel->setEnabled(this->Bench.isRunning());
   };
@@ -183,7 +190,9 @@ void MainWindow::showScene()
   QString about = polygons == 1 ? tr("1 polygon") : tr("%1 polygons").arg(grouped(polygons));
   about += lamps == 1 ? tr(", 1 luminaire") : tr(", %1 luminaires").arg(grouped(lamps));
   if (scene->isBareMesh())
-    about = tr("A mesh without light: reflectance 0.5 and 100 lm/m² everywhere");
+    about = scene->facesOutward()
+                ? tr("A mesh without light: reflectance 0.5 and 100 lm/m² on its fronts, which are outside")
+                : tr("A mesh without light: reflectance 0.5 and 100 lm/m² everywhere");
   if (const auto lux = scene->furnaceIlluminance())
     about += tr(" · a white furnace, %1 lx everywhere").arg(*lux);
   this->statusBar()->showMessage(about);
@@ -213,8 +222,10 @@ void MainWindow::showResult()
                                                                : SceneView::Layout::Swipe;
   if (layout != this->View->layoutMode())
     this->View->setLayoutMode(layout);
-  this->View->setCaptions(two ? result->settings.describe() : QString(),
-                          two ? this->Compare->other()->settings.describe() : QString());
+  const QString caption = result ? describeShown(*result) : QString(),
+                other = mode != ComparePanel::Mode::Off ? describeShown(*this->Compare->other()) : QString();
+  this->View->setCaptions(mode == ComparePanel::Mode::Difference ? tr("%1  minus  %2").arg(caption, other) : caption,
+                          two ? other : QString());
   this->View->paint(shown.first, shown.second, display);
   this->SceneLegend = shown.legend;
   this->showLegend();

@@ -58,8 +58,10 @@ private:
   bool showsImage() const;
   void updatePicking();
   void complain(const QString& message);
-  void attempt(const std::function<void()>& action);  // complains of the Problem that it throws
-  void saveSessionAs();
+  bool attempt(const std::function<void()>& action);  // complains of the Problem that it throws; then false
+  bool saveSessionAs();
+  bool mayDropResults();
+  bool offerTurning();
   void exportPictureAs();
   void exportResultsTo();
   void exportImageAs();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window's files: what is opened, saved, exported, dropped; what is asked at the end.
+// The window's scenes and sessions: what is opened, saved, dropped; what is asked before something is lost.
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
@@ -8,13 +8,12 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QPainter>
 #include <algorithm>
 
 #include "base/Problem.h"
+#include "common/SaveDialog.h"
 #include "panels/ImagePanel.h"
-#include "results/Export.h"
-#include "session/RecentFiles.h"
+#include "session/Preferences.h"
 #include "session/Session.h"
 #include "window/Application.h"
 #include "window/MainWindow.h"
@@ -65,20 +64,24 @@ void MainWindow::chooseFile()
 
 bool MainWindow::openFile(const QString& path)
 {
-  bool opened = false;
-  this->attempt([&] {
-    if (isSession(path))
-    {
-      if (const auto camera = openSession(this->Bench, path))
-        this->View->look(*camera);
-    }
+  if (!this->mayDropResults())
+    return false;
+  const bool session = isSession(path);
+  const bool opened = this->attempt([&] {
+    if (session)
+      this->View->look(openSession(this->Bench, path));
     else
       this->Bench.open(path);
     if (path != autosavePath() && path != lastSessionPath())
       addRecentFile(QFileInfo(path).absoluteFilePath());
-    opened = true;
   });
-  return opened;
+  if (!opened || session)
+    return opened;
+  if (this->Bench.scene()->facesOutward() && this->offerTurning())
+    this->attempt([&] { this->Bench.open(path, true); });
+  if (lightsOnOpening())
+    this->Bench.runUnasked();
+  return true;
 }
 
 void MainWindow::openFirst(const QString& path)
@@ -87,7 +90,7 @@ void MainWindow::openFirst(const QString& path)
     this->openFile(demoScene());
 }
 
-void MainWindow::attempt(const std::function<void()>& action)
+bool MainWindow::attempt(const std::function<void()>& action)
 {
   QApplication::setOverrideCursor(Qt::WaitCursor);
   QString trouble;
@@ -102,56 +105,43 @@ void MainWindow::attempt(const std::function<void()>& action)
   QApplication::restoreOverrideCursor();
   if (!trouble.isEmpty())
     this->complain(trouble);
+  return trouble.isEmpty();
 }
 
-void MainWindow::saveSessionAs()
+bool MainWindow::saveSessionAs()
 {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save the session"), QString(), tr("Sessions (*.json)"));
-  if (!path.isEmpty())
-    this->attempt([&] { saveSession(this->Bench, this->View->camera(), path); });
+  const QString path = askSavePath(this, tr("Save the session"), {{tr("Session"), sessionSuffix}});
+  return !path.isEmpty() && this->attempt([&] {
+    saveSession(this->Bench, this->View->camera(), path);
+    this->Bench.markSaved();
+  });
 }
 
-void MainWindow::exportPictureAs()
+bool MainWindow::mayDropResults()
 {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Export the picture"), QString(), tr("PNG (*.png)"));
-  if (!path.isEmpty() && !this->pictureWithLegend().save(path, "PNG"))
-    this->complain(tr("%1: file: can not be written; expected a place that can be written").arg(path));
+  if (!this->Bench.unsaved())
+    return true;
+  QMessageBox box(QMessageBox::Question, tr("Edge Studio"),
+                  tr("The results of %1 are not saved.").arg(this->Bench.scene()->name()),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  box.setObjectName(QStringLiteral("dropping"));
+  box.setInformativeText(tr("Another scene takes their place, and a run ends."));
+  const int chosen = box.exec();
+  return chosen == QMessageBox::Discard || (chosen == QMessageBox::Save && this->saveSessionAs());
 }
 
-void MainWindow::exportResultsTo()
+bool MainWindow::offerTurning()
 {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Export the values, CSV and VTP, into a folder"));
-  if (!folder.isEmpty())
-    this->attempt([&] { exportResult(*this->Bench.shown(), folder); });
-}
-
-void MainWindow::exportImageAs()
-{
-  const QString path = QFileDialog::getSaveFileName(this, tr("Export the image"), QString(), tr("OpenEXR (*.exr)"));
-  if (!path.isEmpty())
-    this->attempt([&] { exportImage(*this->Bench.image().result(), path); });
-}
-
-QImage MainWindow::pictureWithLegend()
-{
-  const QImage view = this->showsImage() ? this->Image->picture() : this->View->picture();
-  if (!this->Bar->legend().colours)
-    return view;
-  const double ratio = view.devicePixelRatio();
-  QImage image(view.width() + static_cast<int>(this->Bar->width() * ratio), view.height(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(ratio);
-  image.fill(Qt::white);
-  QPainter painter(&image);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.drawImage(QPointF(0, 0), view);
-  drawLegend(painter, QRectF(view.width() / ratio, 0, this->Bar->width(), view.height() / ratio), this->Bar->legend(),
-             Qt::black);
-  return image;
+  QMessageBox box(QMessageBox::Question, tr("Edge Studio"), tr("The fronts of this mesh are outside."),
+                  QMessageBox::Yes | QMessageBox::No, this);
+  box.setObjectName(QStringLiteral("turning"));
+  box.setInformativeText(tr("It lights the space around it, and its inside stays dark. Turn its faces inside?"));
+  return box.exec() == QMessageBox::Yes;
 }
 
 void MainWindow::saveQuietly(const QString& path)
 {
-  // What can not be saved here is no reason to disturb.
+  // What cannot be saved here is no reason to disturb.
   try
   {
     if (this->Bench.scene())
@@ -186,7 +176,7 @@ void MainWindow::complain(const QString& message)
   box.setObjectName(QStringLiteral("problem"));
   if (parts.size() >= 3)
   {
-    box.setText(tr("%1 can not be used.").arg(parts[0]));
+    box.setText(tr("%1 cannot be used.").arg(parts[0]));
     box.setInformativeText(
         tr("Where: %1\n\nWhat: %2").arg(parts[1], QStringList(parts.mid(2)).join(QStringLiteral(": "))));
   }
@@ -204,18 +194,18 @@ void MainWindow::listRecent()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-  if (this->Bench.isRunning() || this->Bench.image().active())
+  if (this->Bench.isBusy() || this->Bench.image().active())
   {
     QMessageBox box(QMessageBox::Question, tr("Edge Studio"), tr("A run is under way. Stop it and close?"),
                     QMessageBox::Yes | QMessageBox::No, this);
     box.setObjectName(QStringLiteral("closing"));
     if (box.exec() != QMessageBox::Yes)
       return event->ignore();
-    this->Bench.cancel();
-    this->Bench.image().cancel();
   }
+  this->Bench.cancel();
+  this->Bench.image().cancel();
   const QVector<ResultPtr>& results = this->Bench.results();
-  if (std::any_of(results.begin(), results.end(), [](const ResultPtr& result) { return result && result->complete; }))
+  if (std::any_of(results.begin(), results.end(), [](const ResultPtr& result) { return result && !result->preview; }))
     this->saveQuietly(lastSessionPath());
   removeSession(autosavePath());
   event->accept();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "words/Wording.h"
+#include "common/Wording.h"
 
 #include <QCoreApplication>
 #include <cmath>
@@ -87,8 +87,8 @@ QString describeTimes(const Run& run)
   switch (run.state())
   {
     case Run::State::Running:
-      if (run.progress() > 0.02)
-        return tr("%1 · about %2 left").arg(elapsed, duration(run.elapsed() * (1 / run.progress() - 1)));
+      if (const auto left = run.remaining())
+        return *left < 1 ? tr("%1 · almost done").arg(elapsed) : tr("%1 · about %2 left").arg(elapsed, duration(*left));
       return elapsed;
     case Run::State::Paused:
       return tr("%1 · paused").arg(elapsed);
@@ -100,6 +100,22 @@ QString describeTimes(const Run& run)
       break;
   }
   return tr("%1 · finished").arg(elapsed);
+}
+
+QString describeShown(const Result& result)
+{
+  const Method& method = methodOf(result.settings.method);
+  QStringList parts{QString::fromLatin1(method.key)};
+  if (method.usesDelta)
+    parts << tr("δ %1").arg(lengthText(result.settings.delta));
+  if (method.usesEpsilon)
+    parts << tr("ε %1").arg(lengthText(result.settings.epsilon));
+  parts << tr("N %1").arg(grouped(result.trajectories)) << tr("seed %1").arg(result.settings.seed);
+  if (result.preview)
+    parts << tr("first colours");
+  else
+    parts << tr("standard error %1").arg(percent(result.quality.typical));
+  return parts.join(QStringLiteral(" · "));
 }
 
 QString describeQuality(const Result& result)

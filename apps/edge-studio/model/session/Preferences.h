@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is kept in the user's settings: the scenes that were opened last, and habits.
+#ifndef studio_Preferences_h
+#define studio_Preferences_h
+
+#include <QStringList>
+
+namespace studio
+{
+QStringList recentFiles();  ///< the newest first, those that still exist
+void addRecentFile(const QString& path);
+
+bool lightsOnOpening();  ///< whether a scene is computed as soon as it is open; it is where nothing else was chosen
+void setLightsOnOpening(bool value);
+}  // namespace studio
+
+#endif
