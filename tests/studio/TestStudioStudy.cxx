@@ -136,7 +136,7 @@ private slots:
              QStringLiteral("f: study/delta: is [0.1,-1], expected an array of numbers from 0"));
     json["delta"] = QJsonArray();
     QCOMPARE(problemOf([&] { Study::fromJson(json, "f: study"); }),
-             QStringLiteral("f: study/delta: is empty, expected an array of numbers"));
+             QStringLiteral("f: study/delta: is [], expected an array of numbers from 0"));
   }
 };
 

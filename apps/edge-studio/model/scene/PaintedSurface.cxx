@@ -25,7 +25,9 @@ vtkSmartPointer<vtkPolyData> remeshed(vtkPolyData* triangles, double length)
   const auto errors = ErrorCollector::watch(remesh);
   remesh->SetInputData(triangles);
   remesh->SetEdgeLength(length);
-  remesh->SetSmallestEdgeLength(length / 3);
+  // So small along edges that plain local estimation is visibly noisy there, and soon larger: cells are time.
+  remesh->SetSmallestEdgeLength(length / 8);
+  remesh->SetGrading(1.5);
   remesh->Update();
   return errors->message().isEmpty() ? remesh->GetOutput() : triangles;
 }
@@ -90,7 +92,7 @@ PaintedSurface paintedSurface(vtkPolyData* surfaces, int cells)
   filter->PassLinesOff();
   filter->Update();
   vtkPolyData* triangles = filter->GetOutput();
-  // Half of the cells for equilateral triangles of one size, the other half for the grading along edges.
+  // Half of the cells for equilateral triangles of one size; the grading along edges brings about as many again.
   const double length = std::sqrt(4 / std::sqrt(3.0) * areaOf(triangles) / (0.5 * cells));
   if (!(length > 0))
     return {triangles, triangles, nullptr};

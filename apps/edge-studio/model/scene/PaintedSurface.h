@@ -16,9 +16,9 @@ struct PaintedSurface
   vtkSmartPointer<vtkIdList> standIns;     ///< for each triangle of the shape its receiver; null: the same
 };
 
-/// About `cells` triangles, small along singular edges, larger elsewhere. A mesh that has more than that keeps its own,
-/// the large ones cut; where these are more than four times as many, one (the largest) stands for those of its material
-/// that are near it and face the same of the six directions of the axes.
+/// `cells` triangles and about twice as many more that are small along singular edges. A mesh that has more than
+/// `cells` keeps its own, the large ones cut; where these are more than four times as many, one (the largest) stands
+/// for those of its material that are near it and face the same of the six directions of the axes.
 PaintedSurface paintedSurface(vtkPolyData* surfaces, int cells = 4000);
 }  // namespace studio
 

@@ -61,7 +61,17 @@ ScenePtr SceneDocument::open(const QString& path, bool turned)
   document->Edges = singularEdges(document->Surfaces, false);
   document->Painted = paintedSurface(document->Surfaces);
   document->Furnace = studio::furnaceIlluminance(document->Surfaces, document->Luminaires);
+  document->refineShadows();
   return document;
+}
+
+void SceneDocument::refineShadows()
+{
+  if (this->Painted.standIns)
+    return;  // a large scene has enough to draw
+  for (const NamedSet& set : dataSets(this->receivers(this->usualSets())))
+    if (auto* data = vtkPolyData::SafeDownCast(set.data))
+      this->Fine[set.name] = FineShadows::make(data, this->Surfaces, this->Luminaires, this->size() / 800);
 }
 
 void SceneDocument::read(const QString& sceneFile)

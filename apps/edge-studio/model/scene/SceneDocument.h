@@ -3,6 +3,7 @@
 #ifndef studio_SceneDocument_h
 #define studio_SceneDocument_h
 
+#include <QHash>
 #include <QString>
 #include <QStringList>
 #include <QVector>
@@ -10,6 +11,7 @@
 #include <optional>
 
 #include "scene/CameraPreset.h"
+#include "scene/FineShadows.h"
 #include "scene/PaintedSurface.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
@@ -39,6 +41,8 @@ public:
   static QString paintedName() { return QStringLiteral("surfaces"); }
   /// What the first set paints. In large scenes it has more triangles than the set has receivers.
   const PaintedSurface& painted() const { return this->Painted; }
+  /// Finer cells of a set for its picture; null where there are none.
+  std::shared_ptr<const FineShadows> fineShadows(const QString& set) const { return this->Fine.value(set); }
   /// Sets to compute when a user has not chosen: all but the file's own cuts of surfaces, which the first set covers.
   QStringList usualSets() const;
   /// These sets as blocks, for vtkKalosIlluminance.
@@ -55,6 +59,7 @@ public:
 
 private:
   void read(const QString& sceneFile);
+  void refineShadows();
 
   QString Path;
   bool BareMesh = false, Turned = false, Outward = false;
@@ -62,6 +67,7 @@ private:
   PaintedSurface Painted;
   vtkSmartPointer<vtkMultiBlockDataSet> FileReceivers;
   QVector<CameraPreset> Cameras;
+  QHash<QString, std::shared_ptr<const FineShadows>> Fine;
   std::optional<double> Furnace;
 };
 

@@ -8,7 +8,6 @@
 #include "vtkDataArray.h"
 #include "vtkFeatureEdges.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkUnsignedCharArray.h"
@@ -74,7 +73,7 @@ void ReceiverActors::setScene(const ScenePtr& scene)
 {
   this->clear();
   this->Scene = scene;
-  this->Planes.clear();
+  this->Borders.clear();
 }
 
 void ReceiverActors::clear()
@@ -90,34 +89,34 @@ void ReceiverActors::addActor(vtkActor* actor)
   this->Actors << actor;
 }
 
-const ReceiverActors::Plane& ReceiverActors::planeOf(const NamedSet& set)
+vtkPolyData* ReceiverActors::borderOf(const NamedSet& set)
 {
-  Plane& plane = this->Planes[set.name];
-  if (plane.border)
-    return plane;
-  // It may lie on a surface, and is what one wants to see there: a hair in front of it. An offset of its depth would
-  // cost more than all the rest of a picture, where software draws it.
-  double normal[3];
-  set.data->GetCellData()->GetNormals()->GetTuple(0, normal);
-  plane.lifted = vtkSmartPointer<vtkPoints>::New();
-  plane.lifted->SetNumberOfPoints(set.data->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < set.data->GetNumberOfPoints(); ++i)
+  vtkSmartPointer<vtkPolyData>& lines = this->Borders[set.name];
+  if (!lines)
   {
-    double at[3];
-    set.data->GetPoint(i, at);
-    for (int axis = 0; axis < 3; ++axis)
-      at[axis] += 3e-4 * this->Scene->size() * normal[axis];
-    plane.lifted->SetPoint(i, at);
+    vtkNew<vtkFeatureEdges> border;
+    border->SetInputData(set.data);
+    border->FeatureEdgesOff();
+    border->NonManifoldEdgesOff();
+    border->ColoringOff();
+    border->Update();
+    lines = border->GetOutput();
   }
-  // It hides what is below it: its border says that it is a plane.
-  vtkNew<vtkFeatureEdges> border;
-  border->SetInputData(set.data);
-  border->FeatureEdgesOff();
-  border->NonManifoldEdgesOff();
-  border->ColoringOff();
-  border->Update();
-  plane.border = border->GetOutput();
-  return plane;
+  return lines;
+}
+
+vtkSmartPointer<vtkPolyData> ReceiverActors::interpolated(const NamedSet& set, const QByteArray& array) const
+{
+  auto* data = vtkPolyData::SafeDownCast(set.data);
+  if (const auto fine = this->Scene->fineShadows(set.name))
+    if (auto picture = fine->picture(data, array.constData()))
+      return picture;
+  vtkNew<vtkCellDataToPointData> toPoints;
+  toPoints->SetInputData(data);
+  toPoints->ProcessAllArraysOff();
+  toPoints->AddCellDataArray(array.constData());
+  toPoints->Update();
+  return toPoints->GetPolyDataOutput();
 }
 
 void ReceiverActors::add(const NamedSet& set, const Picture& picture, bool smooth, double pixelRatio)
@@ -125,6 +124,11 @@ void ReceiverActors::add(const NamedSet& set, const Picture& picture, bool smoot
   const QByteArray name = picture.array.toUtf8();
   const bool ofPoints = hasPoints(set, name), plane = !ofPoints && isPlane(set);
   vtkNew<vtkPolyData> data;
+  // A plane may lie on a surface, and is what one wants to see there: a little in front of it. An offset of its depth
+  // would cost more than all the rest of a picture, where software draws it.
+  Point lift(0, 0, 0);
+  if (plane)
+    lift = 3e-4 * this->Scene->size() * Point(set.data->GetCellData()->GetNormals()->GetTuple3(0));
   if (ofPoints)
   {
     vtkNew<vtkVertexGlyphFilter> vertices;
@@ -135,19 +139,13 @@ void ReceiverActors::add(const NamedSet& set, const Picture& picture, bool smoot
   else
   {
     data->ShallowCopy(set.data);
-    if (plane)
-      data->SetPoints(this->planeOf(set).lifted);
     if (smooth || !picture.isolines.isEmpty())
     {
-      vtkNew<vtkCellDataToPointData> interpolated;
-      interpolated->SetInputData(data);
-      interpolated->ProcessAllArraysOff();
-      interpolated->AddCellDataArray(name.constData());
-      interpolated->Update();
+      const auto points = this->interpolated(set, name);
       if (!picture.isolines.isEmpty())
-        this->addIsolines(interpolated->GetPolyDataOutput(), picture, pixelRatio);
+        this->addIsolines(points, picture, lift, pixelRatio);
       if (smooth)
-        data->ShallowCopy(interpolated->GetPolyDataOutput());
+        data->ShallowCopy(points);
     }
   }
   vtkNew<vtkPolyDataMapper> mapper;
@@ -165,19 +163,25 @@ void ReceiverActors::add(const NamedSet& set, const Picture& picture, bool smoot
   }
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
+  actor->SetPosition(lift[0], lift[1], lift[2]);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetPointSize(static_cast<float>(7 * pixelRatio));
   actor->GetProperty()->SetBackfaceCulling(!ofPoints && !plane);
   this->addActor(actor);
-  if (!plane)
-    return;
-  const auto border = lineActor(this->planeOf(set).border, 1.2 * pixelRatio);
-  border->GetMapper()->ScalarVisibilityOff();
-  border->GetProperty()->SetColor(0.75, 0.77, 0.8);
-  this->addActor(border);
+  if (plane)  // it hides what is below it: its border says that it is a plane
+    this->addLines(this->borderOf(set), {0.75, 0.77, 0.8}, {0, 0, 0}, pixelRatio);
 }
 
-void ReceiverActors::addIsolines(vtkDataSet* points, const Picture& picture, double pixelRatio)
+void ReceiverActors::addLines(vtkPolyData* lines, const Point& colour, const Point& lift, double pixelRatio)
+{
+  const auto actor = lineActor(lines, 1.2 * pixelRatio);
+  actor->GetMapper()->ScalarVisibilityOff();
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  actor->SetPosition(lift[0], lift[1], lift[2]);
+  this->addActor(actor);
+}
+
+void ReceiverActors::addIsolines(vtkDataSet* points, const Picture& picture, const Point& lift, double pixelRatio)
 {
   vtkNew<vtkContourFilter> contours;
   contours->SetInputData(points);
@@ -186,9 +190,6 @@ void ReceiverActors::addIsolines(vtkDataSet* points, const Picture& picture, dou
   for (int i = 0; i < picture.isolines.size(); ++i)
     contours->SetValue(i, picture.isolines[i]);
   contours->Update();
-  const auto actor = lineActor(contours->GetOutput(), 1.2 * pixelRatio);
-  actor->GetMapper()->ScalarVisibilityOff();
-  actor->GetProperty()->SetColor(1, 1, 1);
-  this->addActor(actor);
+  this->addLines(contours->GetOutput(), {1, 1, 1}, lift, pixelRatio);
 }
 }  // namespace studio

@@ -11,7 +11,6 @@
 #include "vtkRenderer.h"
 
 class vtkActor;
-class vtkPoints;
 
 namespace studio
 {
@@ -29,18 +28,16 @@ public:
   void add(const NamedSet& set, const Picture& picture, bool smooth, double pixelRatio);
 
 private:
-  struct Plane
-  {
-    vtkSmartPointer<vtkPoints> lifted;
-    vtkSmartPointer<vtkPolyData> border;
-  };
-  const Plane& planeOf(const NamedSet& set);
+  vtkPolyData* borderOf(const NamedSet& set);
+  /// With the array at its points, in finer cells where there are some.
+  vtkSmartPointer<vtkPolyData> interpolated(const NamedSet& set, const QByteArray& array) const;
   void addActor(vtkActor* actor);
-  void addIsolines(vtkDataSet* points, const Picture& picture, double pixelRatio);
+  void addLines(vtkPolyData* lines, const Point& colour, const Point& lift, double pixelRatio);
+  void addIsolines(vtkDataSet* points, const Picture& picture, const Point& lift, double pixelRatio);
 
   vtkRenderer* Renderer;
   ScenePtr Scene;
-  QHash<QString, Plane> Planes;
+  QHash<QString, vtkSmartPointer<vtkPolyData>> Borders;
   QVector<vtkSmartPointer<vtkActor>> Actors;
 };
 }  // namespace studio
