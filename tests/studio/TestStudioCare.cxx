@@ -170,7 +170,7 @@ private slots:
     this->runDesk(128);
     this->find<QListWidget>("results")->setCurrentRow(0);
     QCOMPARE(this->Window->bench()->shown()->trajectories, 64);
-    QVERIFY2(this->caption().startsWith("compensated · N 64 · seed 1 · standard error "), qPrintable(this->caption()));
+    QVERIFY2(this->caption().startsWith("compensated · N 64 · seed 1 · error "), qPrintable(this->caption()));
     this->runDesk(256);
     QCOMPARE(this->Window->bench()->shown()->trajectories, 256);
     QVERIFY2(this->caption().contains("N 256"), qPrintable(this->caption()));

@@ -114,7 +114,7 @@ QString describeShown(const Result& result)
   if (result.preview)
     parts << tr("first colours");
   else
-    parts << tr("standard error %1").arg(percent(result.quality.typical));
+    parts << tr("error %1").arg(percent(result.quality.typical));
   return parts.join(QStringLiteral(" · "));
 }
 

@@ -21,7 +21,7 @@ QString describeTimes(const Run& run);
 /// "4096 trajectories at 13 000 points / standard error 1.3 %, largest 9.8 % / 14 points not to be trusted"
 QString describeQuality(const Result& result);
 
-/// What a picture of a result shows: "compensated · N 4096 · seed 1 · standard error 1.3 %".
+/// What a picture of a result shows: "compensated · N 4096 · seed 1 · error 1.3 %".
 QString describeShown(const Result& result);
 
 /// "13 000"
