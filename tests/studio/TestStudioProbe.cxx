@@ -42,6 +42,18 @@ private slots:
         QVERIFY(std::abs(line->points[i][axis] - Point{line->distances[i], 1.3, 0}[axis]) < 1e-9);
   }
 
+  void lineEndsWhereItsPlaneEnds()
+  {
+    const ScenePtr scene = SceneDocument::open(
+        writeFile(this->Folder.path(), "half.json",
+                  QByteArray(furnaceRoom())
+                      .replace(R"("u": [4,0,0], "v": [0,3,0], "res)", R"("u": [2,0,0], "v": [0,3,0], "res)")));
+    const auto line = lineAcrossEdge(scene, {{1, 1.5, 0.75}, {0, 0, 1}, "desk"});
+    QVERIFY(line);
+    QVERIFY2(line->distances.last() > 1.5 && line->distances.last() < 2.01,
+             qPrintable(QString::number(line->distances.last())));
+  }
+
   void lineEndsWhereItsSurfaceEnds()
   {
     // The top of a box on the floor of the Cornell room has no singular edge of its own: its side has.

@@ -6,6 +6,8 @@
 #include <QPointF>
 #include <QString>
 #include <QVector>
+#include <array>
+#include <optional>
 
 namespace studio
 {
@@ -25,6 +27,7 @@ struct Series
   QVector<double> halfWidth;  ///< of the band in y; empty: none
   Style style = Style::Line;
   bool dashed = false;
+  bool hidden = false;  ///< only its name is drawn
 };
 
 struct Chart
@@ -33,6 +36,7 @@ struct Chart
   bool logX = false, logY = false;
   bool yFromZero = true;  ///< on a linear axis
   double yLimit = 0;      ///< what lies above is drawn at the upper edge, as an arrow; 0: none does
+  std::optional<std::array<double, 2>> xRange;  ///< that is shown; all points where it is not given
   QVector<Series> series;
   QString empty;  ///< said where there is nothing to draw
 };

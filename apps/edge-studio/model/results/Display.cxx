@@ -127,7 +127,7 @@ QVector<double> roundValues(const std::array<double, 2>& range, bool logarithmic
       for (double step : {1.0, 2.0, 5.0})
       {
         const double value = step * std::pow(10.0, decade);
-        const bool fits = step == 1.0 || 3 * (high - low) <= count;
+        const bool fits = step == 1.0 || 3 * (high - low) <= count || high - low < 2;
         if (fits && value >= range[0] * (1 - 1e-9) && value <= range[1] * (1 + 1e-9))
           values << value;
       }

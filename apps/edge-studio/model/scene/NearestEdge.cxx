@@ -66,16 +66,15 @@ std::optional<ProbeLine> lineAcrossEdge(const ScenePtr& scene, const Pick& pick)
   ProbeLine line{*edge, pick.normal, {}, {}};
   // From the edge at the height of the picked surface.
   const Point start = edge->foot + (pick.position - edge->foot).Dot(pick.normal) * pick.normal;
-  const Picking surfaces(scene, {SceneDocument::paintedName()});
+  const Picking surfaces(scene, {SceneDocument::paintedName()}), own(scene, {pick.set});
   const Point lift = 1e-3 * scene->size() * pick.normal;
-  const bool onSurface = pick.set == SceneDocument::paintedName();
   const auto wall = surfaces.first(start + lift + 1e-4 * direction, start + lift + scene->size() * direction);
   const double reach = wall ? (wall->position - start).Norm() : scene->size();
   for (int k = 0;; ++k)
   {
     const double distance = 1e-4 * std::pow(10.0, k / 10.0);
     const Point point = start + distance * direction;
-    const bool held = !onSurface || distance < 0.01 * scene->size() || surfaces.first(point + lift, point - lift);
+    const bool held = distance < 0.01 * scene->size() || own.first(point + lift, point - lift);
     if (distance > 0.98 * reach || !held)
       break;
     line.distances << distance;

@@ -22,7 +22,8 @@ struct NearestEdge
 /// Of the edges of a severity above 0; none in a scene without any.
 std::optional<NearestEdge> nearestEdge(const SceneDocument& scene, const Point& point);
 
-/// Points on the surface of a pick, on the line through it that meets the nearest singular edge at a right angle.
+/// Points on the surface or plane of a pick, on the line through it that meets the nearest singular edge at a right
+/// angle.
 struct ProbeLine
 {
   NearestEdge edge;
@@ -31,7 +32,8 @@ struct ProbeLine
   QVector<Point> points;
 };
 
-/// As far as the surface reaches and nothing stands in the way; none where there is no edge or the pick lies on it.
+/// As far as the surface or plane reaches and nothing stands in the way; none where there is no edge or the pick lies
+/// on it.
 std::optional<ProbeLine> lineAcrossEdge(const ScenePtr& scene, const Pick& pick);
 
 /// Receivers with point normals, for vtkKalosIlluminance.

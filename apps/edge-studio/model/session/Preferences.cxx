@@ -8,7 +8,8 @@ namespace studio
 {
 namespace
 {
-const QString recent = QStringLiteral("recentFiles"), lights = QStringLiteral("lightsOnOpening");
+const QString recent = QStringLiteral("recentFiles"), lights = QStringLiteral("lightsOnOpening"),
+              docks = QStringLiteral("windowLayout");
 }
 
 QStringList recentFiles()
@@ -36,5 +37,15 @@ bool lightsOnOpening()
 void setLightsOnOpening(bool value)
 {
   QSettings().setValue(lights, value);
+}
+
+QByteArray windowLayout()
+{
+  return QSettings().value(docks).toByteArray();
+}
+
+void setWindowLayout(const QByteArray& layout)
+{
+  QSettings().setValue(docks, layout);
 }
 }  // namespace studio

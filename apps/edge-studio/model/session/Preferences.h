@@ -12,6 +12,9 @@ void addRecentFile(const QString& path);
 
 bool lightsOnOpening();  ///< whether a scene is computed as soon as it is open; it is where nothing else was chosen
 void setLightsOnOpening(bool value);
+
+QByteArray windowLayout();  ///< where the docks of the window were, as QMainWindow::saveState() says it
+void setWindowLayout(const QByteArray& layout);
 }  // namespace studio
 
 #endif

@@ -38,6 +38,13 @@ double Axis::fraction(double value) const
   return (value - this->range[0]) / (this->range[1] - this->range[0]);
 }
 
+double Axis::value(double fraction) const
+{
+  if (this->logarithmic)
+    return this->range[0] * std::pow(this->range[1] / this->range[0], fraction);
+  return this->range[0] + fraction * (this->range[1] - this->range[0]);
+}
+
 QVector<double> Axis::ticks(int count) const
 {
   return roundValues(this->range, this->logarithmic, count);
@@ -53,10 +60,12 @@ QString Axis::label(double tick) const
 
 Axis xAxis(const Chart& chart)
 {
+  if (chart.xRange)
+    return {chart.logX, *chart.xRange};
   double low = infinity, high = -infinity;
   for (const Series& series : chart.series)
     for (const QPointF& point : series.points)
-      if (usable(point.x(), chart.logX))
+      if (!series.hidden && usable(point.x(), chart.logX))
       {
         low = std::min(low, point.x());
         high = std::max(high, point.x());
@@ -72,7 +81,7 @@ Axis yAxis(const Chart& chart)
     {
       const double y = series.points[i].y(), half = i < series.halfWidth.size() ? series.halfWidth[i] : 0;
       for (double end : {y - half, y + half})
-        if (usable(end, chart.logY))
+        if (!series.hidden && usable(end, chart.logY))
         {
           low = std::min(low, end);
           high = std::max(high, end);

@@ -17,6 +17,7 @@ struct Axis
   std::array<double, 2> range{0, 1};
 
   double fraction(double value) const;  ///< 0 at the lower end, 1 at the upper
+  double value(double fraction) const;  ///< the other way round
   QVector<double> ticks(int count) const;
   QString label(double tick) const;
 };

@@ -12,18 +12,14 @@ namespace studio
 {
 namespace
 {
-const QColor ink(0x30, 0x33, 0x38), faint(0xe3, 0xe4, 0xe7);
+const QColor ink(0x30, 0x33, 0x38), faint(0xe3, 0xe4, 0xe7), pale(0xa0, 0xa3, 0xa8);
 
 class Drawing
 {
 public:
   Drawing(QPainter& painter, const QRectF& area, const Chart& chart)
-      : Painter(painter), Shown(chart), X(xAxis(chart)), Y(yAxis(chart)), Line(QFontMetricsF(painter.font()).height())
+      : Painter(painter), Shown(chart), Place(layOut(painter.font(), area, chart)), Plot(Place.plot), Line(Place.line)
   {
-    const double top = chart.title.isEmpty() ? 0.6 * this->Line : 1.9 * this->Line;
-    this->Plot =
-        area.adjusted(3.9 * this->Line, top + this->legendHeight(area.width()), -1.1 * this->Line, -2.9 * this->Line);
-    this->Area = area;
   }
 
   void all()
@@ -32,20 +28,17 @@ public:
     this->Painter.save();
     this->Painter.setClipRect(this->Plot.adjusted(-4, -4, 4, 4));
     for (const Series& series : this->Shown.series)
-      this->band(series);
+      if (!series.hidden)
+        this->band(series);
     for (const Series& series : this->Shown.series)
-      this->series(series);
+      if (!series.hidden)
+        this->series(series);
     this->Painter.restore();
     this->legend();
   }
 
 private:
-  QPointF at(const QPointF& value) const
-  {
-    const double y = std::min(1.0, this->Y.fraction(value.y()));
-    return {this->Plot.left() + this->X.fraction(value.x()) * this->Plot.width(),
-            this->Plot.bottom() - y * this->Plot.height()};
-  }
+  QPointF at(const QPointF& value) const { return this->Place.at(value); }
 
   void axes()
   {
@@ -57,29 +50,30 @@ private:
       const QFont usual = this->Painter.font();
       this->Painter.setFont(bold);
       this->Painter.drawText(
-          QRectF(this->Plot.left(), this->Area.top() + 0.3 * this->Line, this->Plot.width(), 1.3 * this->Line),
+          QRectF(this->Plot.left(), this->Place.area.top() + 0.3 * this->Line, this->Plot.width(), 1.3 * this->Line),
           Qt::AlignLeft | Qt::AlignVCenter, this->Shown.title);
       this->Painter.setFont(usual);
     }
     const int across = std::max(2, static_cast<int>(this->Plot.width() / (5 * this->Line)));
-    for (double tick : this->X.ticks(across))
+    for (double tick : this->Place.x.ticks(across))
     {
-      const double x = this->at({tick, this->Y.range[0]}).x();
+      const double x = this->at({tick, this->Place.y.range[0]}).x();
       this->Painter.setPen(QPen(faint, 1));
       this->Painter.drawLine(QPointF(x, this->Plot.top()), QPointF(x, this->Plot.bottom()));
       this->Painter.setPen(ink);
       this->Painter.drawText(QRectF(x - 40, this->Plot.bottom() + 3, 80, this->Line), Qt::AlignHCenter,
-                             this->X.label(tick));
+                             this->Place.x.label(tick));
     }
-    for (double tick : this->Y.ticks(std::clamp(static_cast<int>(this->Plot.height() / (2.2 * this->Line)), 2, 8)))
+    for (double tick :
+         this->Place.y.ticks(std::clamp(static_cast<int>(this->Plot.height() / (2.2 * this->Line)), 2, 8)))
     {
-      const double y = this->at({this->X.range[0], tick}).y();
+      const double y = this->at({this->Place.x.range[0], tick}).y();
       this->Painter.setPen(QPen(faint, 1));
       this->Painter.drawLine(QPointF(this->Plot.left(), y), QPointF(this->Plot.right(), y));
       this->Painter.setPen(ink);
-      this->Painter.drawText(
-          QRectF(this->Area.left(), y - this->Line / 2, this->Plot.left() - this->Area.left() - 5, this->Line),
-          Qt::AlignRight | Qt::AlignVCenter, this->Y.label(tick));
+      this->Painter.drawText(QRectF(this->Place.area.left(), y - this->Line / 2,
+                                    this->Plot.left() - this->Place.area.left() - 5, this->Line),
+                             Qt::AlignRight | Qt::AlignVCenter, this->Place.y.label(tick));
     }
     this->Painter.setPen(QPen(ink, 1));
     this->Painter.drawLine(this->Plot.bottomLeft(), this->Plot.bottomRight());
@@ -88,7 +82,7 @@ private:
         QRectF(this->Plot.left(), this->Plot.bottom() + 1.35 * this->Line, this->Plot.width(), this->Line),
         Qt::AlignRight, this->Shown.xLabel);
     this->Painter.save();
-    this->Painter.translate(this->Area.left() + 0.2 * this->Line, this->Plot.top());
+    this->Painter.translate(this->Place.area.left() + 0.2 * this->Line, this->Plot.top());
     this->Painter.rotate(-90);
     this->Painter.drawText(QRectF(-this->Plot.height(), 0, this->Plot.height(), this->Line), Qt::AlignRight,
                            this->Shown.yLabel);
@@ -105,7 +99,7 @@ private:
     for (int i = static_cast<int>(series.points.size()) - 1; i >= 0; --i)
     {
       QPointF low = series.points[i] - QPointF(0, series.halfWidth[i]);
-      low.setY(std::max(low.y(), this->Y.range[0]));
+      low.setY(std::max(low.y(), this->Place.y.range[0]));
       outline << this->at(low);
     }
     QColor colour(QRgb(series.colour));
@@ -140,7 +134,7 @@ private:
     this->Painter.setPen(Qt::NoPen);
     for (int i = 0; i < line.size(); ++i)
     {
-      if (this->Y.fraction(series.points[i].y()) > 1)
+      if (this->Place.y.fraction(series.points[i].y()) > 1)
       {
         const QPointF arrow[] = {line[i] + QPointF(-4, 4), line[i] + QPointF(4, 4), line[i] + QPointF(0, -3)};
         this->Painter.drawPolygon(arrow, 3);
@@ -150,63 +144,77 @@ private:
     }
   }
 
-  // Names in rows above the plot.
-  template <class Place>
-  double layLegend(double width, const Place& place) const
-  {
-    double x = 0, y = 0;
-    QSet<QString> named;
-    for (const Series& series : this->Shown.series)
-    {
-      if (named.contains(series.name))
-        continue;
-      named.insert(series.name);
-      const double w = QFontMetricsF(this->Painter.font()).horizontalAdvance(series.name) + 2.4 * this->Line;
-      if (x > 0 && x + w > width)
-      {
-        x = 0;
-        y += 1.15 * this->Line;
-      }
-      place(series, x, y);
-      x += w;
-    }
-    return this->Shown.series.isEmpty() ? 0 : y + 1.15 * this->Line;
-  }
-
-  double legendHeight(double width) const
-  {
-    return this->layLegend(width - 5 * this->Line, [](const Series&, double, double) {}) + 0.4 * this->Line;
-  }
-
   void legend()
   {
-    const double top = this->Plot.top() - this->legendHeight(this->Area.width()) + 0.1 * this->Line;
-    this->layLegend(this->Area.width() - 5 * this->Line, [&](const Series& series, double x, double y) {
-      const double middle = top + y + this->Line / 2, left = this->Plot.left() + x;
-      this->Painter.setPen(QPen(QColor(QRgb(series.colour)), series.style == Series::Style::Bars ? 8 : 2.4,
+    for (const ChartLayout::Name& name : this->Place.names)
+    {
+      const Series& series = this->Shown.series[name.series];
+      const double middle = name.place.center().y(), left = name.place.left();
+      const QColor colour(QRgb(series.colour));
+      this->Painter.setPen(QPen(series.hidden ? faint : colour, series.style == Series::Style::Bars ? 8 : 2.4,
                                 series.dashed ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
       this->Painter.drawLine(QPointF(left, middle), QPointF(left + 1.2 * this->Line, middle));
-      this->Painter.setPen(ink);
+      this->Painter.setPen(series.hidden ? pale : ink);
       this->Painter.drawText(QPointF(left + 1.5 * this->Line, middle + 0.33 * this->Line), series.name);
-    });
+    }
   }
 
   QPainter& Painter;
   const Chart& Shown;
-  Axis X, Y;
+  ChartLayout Place;
+  QRectF Plot;
   double Line;
-  QRectF Area, Plot;
 };
 }  // namespace
+
+QPointF ChartLayout::at(const QPointF& value) const
+{
+  const double up = std::min(1.0, this->y.fraction(value.y()));
+  return {this->plot.left() + this->x.fraction(value.x()) * this->plot.width(),
+          this->plot.bottom() - up * this->plot.height()};
+}
+
+QFont chartFont(QFont base)
+{
+  base.setPixelSize(12);
+  return base;
+}
+
+ChartLayout layOut(const QFont& font, const QRectF& area, const Chart& chart)
+{
+  const QFontMetricsF metrics(font);
+  const double line = metrics.height(), top = chart.title.isEmpty() ? 0.6 * line : 1.9 * line,
+               left = area.left() + 3.9 * line, width = area.width() - 5 * line;
+  ChartLayout layout{area, {}, xAxis(chart), yAxis(chart), line, {}};
+  // Names in rows above the plot.
+  double x = 0, y = 0;
+  QSet<QString> named;
+  for (int i = 0; i < chart.series.size(); ++i)
+  {
+    const QString& name = chart.series[i].name;
+    if (named.contains(name))
+      continue;
+    named.insert(name);
+    const double wanted = metrics.horizontalAdvance(name) + 2.4 * line;
+    if (x > 0 && x + wanted > width)
+    {
+      x = 0;
+      y += 1.15 * line;
+    }
+    layout.names.append({i, QRectF(left + x, area.top() + top + 0.1 * line + y, wanted - 0.9 * line, line)});
+    x += wanted;
+  }
+  const double legend = (named.isEmpty() ? 0 : y + 1.15 * line) + 0.4 * line;
+  layout.plot = area.adjusted(3.9 * line, top + legend, -1.1 * line, -2.9 * line);
+  return layout;
+}
 
 void drawChart(QPainter& painter, const QRectF& area, const Chart& chart)
 {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(area, Qt::white);
-  QFont font = painter.font();
-  font.setPixelSize(12);
-  painter.setFont(font);
+  painter.setFont(chartFont(painter.font()));
   const bool blank =
       std::all_of(chart.series.begin(), chart.series.end(), [](const Series& s) { return s.points.isEmpty(); });
   if (!blank)

@@ -8,6 +8,7 @@
 #include <QMessageBox>
 #include <QPainter>
 #include <QSvgGenerator>
+#include <cmath>
 
 #include "base/Files.h"
 #include "charts/ChartDrawing.h"
@@ -39,12 +40,67 @@ void saveAs(QWidget* parent, const Chart& chart)
 ChartView::ChartView(QWidget* parent) : QWidget(parent)
 {
   this->setMinimumSize(260, 150);
-  this->setToolTip(tr("Right click: save as SVG, PNG or CSV"));
+  this->setMouseTracking(true);
+  this->setToolTip(tr("Click a name to hide its curve. Wheel: zoom. Double click: all. Right click: save."));
 }
 
 void ChartView::setChart(const Chart& chart)
 {
+  const auto range = this->Shown.xRange;
   this->Shown = chart;
+  this->Shown.xRange = chart.xLabel == this->Shown.xLabel ? range : std::nullopt;
+  this->hideSeries();
+}
+
+void ChartView::hideSeries()
+{
+  for (Series& series : this->Shown.series)
+    series.hidden = this->Hidden.contains(series.name);
+  this->update();
+}
+
+void ChartView::mousePressEvent(QMouseEvent* event)
+{
+  const ChartLayout layout = layOut(chartFont(this->font()), this->rect(), this->Shown);
+  for (const ChartLayout::Name& name : layout.names)
+    if (event->button() == Qt::LeftButton && name.place.contains(event->localPos()))
+    {
+      const QString& clicked = this->Shown.series[name.series].name;
+      if (!this->Hidden.remove(clicked))
+        this->Hidden.insert(clicked);
+      return this->hideSeries();
+    }
+}
+
+void ChartView::mouseMoveEvent(QMouseEvent* event)
+{
+  const QRectF plot = layOut(chartFont(this->font()), this->rect(), this->Shown).plot;
+  this->Pointer.reset();
+  if (plot.contains(event->localPos()))
+    this->Pointer = event->localPos();
+  this->update();
+}
+
+void ChartView::leaveEvent(QEvent*)
+{
+  this->Pointer.reset();
+  this->update();
+}
+
+void ChartView::mouseDoubleClickEvent(QMouseEvent*)
+{
+  this->Shown.xRange.reset();
+  this->update();
+}
+
+void ChartView::wheelEvent(QWheelEvent* event)
+{
+  const ChartLayout layout = layOut(chartFont(this->font()), this->rect(), this->Shown);
+  const double at = (event->position().x() - layout.plot.left()) / layout.plot.width(),
+               scale = std::pow(0.8, event->angleDelta().y() / 120.0);
+  if (at < 0 || at > 1)
+    return;
+  this->Shown.xRange = {{layout.x.value(at - scale * at), layout.x.value(at + scale * (1 - at))}};
   this->update();
 }
 
@@ -52,6 +108,8 @@ void ChartView::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   drawChart(painter, this->rect(), this->Shown);
+  if (this->Pointer && !this->Shown.series.isEmpty())
+    drawReadOut(painter, layOut(chartFont(this->font()), this->rect(), this->Shown), this->Shown, *this->Pointer);
 }
 
 void ChartView::contextMenuEvent(QContextMenuEvent* event)

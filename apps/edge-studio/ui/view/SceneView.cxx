@@ -37,6 +37,7 @@ SceneView::SceneView(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
   this->interactor()->SetInteractorStyle(style);
   this->setMinimumSize(240, 200);
   this->setMouseTracking(true);
+  this->setFocusPolicy(Qt::StrongFocus);
 
   for (QLabel*& caption : this->Captions)
   {

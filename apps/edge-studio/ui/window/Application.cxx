@@ -23,6 +23,7 @@ void prepareApplication()
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
   QCoreApplication::setOrganizationName(QStringLiteral("Kalos"));
   QCoreApplication::setApplicationName(QStringLiteral("Edge Studio"));
+  QCoreApplication::setApplicationVersion(QStringLiteral(KALOS_VERSION));
   QLocale::setDefault(QLocale::c());    // numbers have points, in files and beside them
   vtkObject::GlobalWarningDisplayOn();  // error events are not sent without
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "window/MainWindow.h"
 
-#include <QAction>
 #include <QDockWidget>
 #include <QHBoxLayout>
-#include <QMenuBar>
 #include <QStatusBar>
 #include <QTabWidget>
 
@@ -45,6 +43,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent)
   this->setCentralWidget(centre);
   this->makePanels();
   this->makeMenus();
+  this->restoreState(windowLayout());
 
   connect(&this->Bench, &Workbench::sceneChanged, this, &MainWindow::showScene);
   connect(&this->Bench, &Workbench::resultsChanged, this, &MainWindow::showResult);
@@ -66,7 +65,6 @@ void MainWindow::makePanels()
     made->setObjectName(name);
     made->setWidget(panel);
     panel->setMaximumWidth(290);
-    made->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
     this->addDockWidget(Qt::LeftDockWidgetArea, made);
     return made;
   };
@@ -88,7 +86,6 @@ void MainWindow::makePanels()
   auto* side = new QDockWidget(tr("Analysis"));
   side->setObjectName(QStringLiteral("studyDock"));
   side->setWidget(tabs);
-  side->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
   this->addDockWidget(Qt::RightDockWidgetArea, side);
 
   connect(this->Compare, &ComparePanel::changed, this, &MainWindow::showResult);
@@ -102,71 +99,6 @@ void MainWindow::mark(int kind, const QVector<QVector<Point>>& lines)
 {
   this->Marks[kind] = lines;
   this->View->mark(this->Marks[0] + this->Marks[1]);
-}
-
-void MainWindow::makeMenus()
-{
-  auto add = [this](QMenu* menu, const QString& text, const QKeySequence& keys, auto handler) {
-    QAction* action = menu->addAction(text);
-    action->setShortcut(keys);
-    connect(action, &QAction::triggered, this, handler);
-    return action;
-  };
-  this->makeFileMenu();
-  QMenu* edit = this->menuBar()->addMenu(tr("&Edit"));
-  QAction* undo = add(edit, tr("&Undo setting"), QKeySequence::Undo, [this] { this->Bench.undo(); });
-  QAction* redo = add(edit, tr("&Redo setting"), QKeySequence::Redo, [this] { this->Bench.redo(); });
-  undo->setObjectName(QStringLiteral("undo"));
-  auto enable = [this, undo, redo] {
-    undo->setEnabled(this->Bench.canUndo());
-    redo->setEnabled(this->Bench.canRedo());
-  };
-  connect(&this->Bench, &Workbench::settingsChanged, this, enable);
-  enable();
-
-  QMenu* run = this->menuBar()->addMenu(tr("&Run"));
-  QAction* start = add(run, tr("&Run"), Qt::Key_F5, [this] { this->Bench.run(); });
-  QAction* pause = add(run, tr("&Pause or continue"), Qt::Key_F6, [this] {
-    Run* current = this->Bench.activeRun();
-    current->state() == Run::State::Paused ? current->resume() : current->pause();
-    emit this->Bench.runChanged();
-  });
-  QAction* cancel = add(run, tr("&Cancel"), Qt::Key_Escape, [this] { this->Bench.cancel(); });
-  run->addSeparator();
-  QAction* light = run->addAction(tr("&Light a scene when it is opened"));
-  light->setObjectName(QStringLiteral("light"));
-  light->setCheckable(true);
-  light->setChecked(lightsOnOpening());
-  connect(light, &QAction::toggled, this, &setLightsOnOpening);
-  auto enableRun = [this, start, pause, cancel] {
-    start->setEnabled(this->Bench.scene() && !this->Bench.isBusy());
-    pause->setEnabled(this->Bench.isRunning());
-    cancel->setEnabled(this->Bench.isRunning());
-  };
-  connect(&this->Bench, &Workbench::runChanged, this, enableRun);
-  connect(&this->Bench, &Workbench::sceneChanged, this, enableRun);
-  enableRun();
-
-  this->CameraMenu = this->menuBar()->addMenu(tr("&Camera"));
-}
-
-void MainWindow::listCameras()
-{
-  this->CameraMenu->clear();
-  int key = Qt::Key_1;
-  auto add = [&](const QString& name, auto handler) {
-    QAction* action = this->CameraMenu->addAction(name);
-    action->setShortcut(Qt::CTRL | key++);
-    connect(action, &QAction::triggered, this, handler);
-  };
-  for (const CameraPreset& camera : this->Bench.scene()->cameras())
-    if (key <= Qt::Key_4)
-      add(camera.name, [this, camera] { this->View->look(camera); });
-  this->CameraMenu->addSeparator();
-  add(tr("Oblique"), [this] { this->View->lookAlong({0.35, 0.8, -0.45}, {0, 0, 1}); });
-  add(tr("From above"), [this] { this->View->lookAlong({0, 0, -1}, {0, 1, 0}); });
-  add(tr("From the front"), [this] { this->View->lookAlong({0, 1, 0}, {0, 0, 1}); });
-  add(tr("From the left"), [this] { this->View->lookAlong({1, 0, 0}, {0, 0, 1}); });
 }
 
 void MainWindow::updatePicking()

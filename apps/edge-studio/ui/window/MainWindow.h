@@ -48,6 +48,7 @@ protected:
 private:
   void makeMenus();
   void makeFileMenu();
+  void explainKeys();
   void makePanels();
   void chooseFile();
   void listRecent();

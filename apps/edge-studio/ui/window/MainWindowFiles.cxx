@@ -208,6 +208,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
   if (std::any_of(results.begin(), results.end(), [](const ResultPtr& result) { return result && !result->preview; }))
     this->saveQuietly(lastSessionPath());
   removeSession(autosavePath());
+  setWindowLayout(this->saveState());
   event->accept();
 }
 

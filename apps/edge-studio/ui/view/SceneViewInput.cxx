@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the mouse does in the view: it turns the scene, drags the swipe line, picks a point.
+// What the mouse and the keys do in the view: they turn the scene, drag the swipe line, pick a point.
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <cmath>
 
 #include "view/SceneView.h"
+#include "vtkCamera.h"
 
 namespace studio
 {
@@ -26,6 +28,36 @@ bool SceneView::event(QEvent* event)
     return QVTKOpenGLNativeWidget::event(event);
   press ? this->mousePressEvent(mouse) : release ? this->mouseReleaseEvent(mouse) : this->mouseMoveEvent(mouse);
   return true;
+}
+
+void SceneView::keyPressEvent(QKeyEvent* event)
+{
+  constexpr double turn = 5, step = 1.1;
+  vtkCamera* camera = this->First.renderer()->GetActiveCamera();
+  switch (event->key())
+  {
+    case Qt::Key_Left:
+      camera->Azimuth(turn);
+      break;
+    case Qt::Key_Right:
+      camera->Azimuth(-turn);
+      break;
+    case Qt::Key_Up:
+      camera->Elevation(-turn);
+      break;
+    case Qt::Key_Down:
+      camera->Elevation(turn);
+      break;
+    case Qt::Key_Plus:
+    case Qt::Key_Minus:
+      camera->Dolly(event->key() == Qt::Key_Plus ? step : 1 / step);
+      break;
+    default:
+      return QWidget::keyPressEvent(event);
+  }
+  camera->OrthogonalizeViewUp();
+  this->First.renderer()->ResetCameraClippingRange();
+  this->render();
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event)
