@@ -52,6 +52,7 @@ class TestStudioCare : public WindowTest
     MethodSettings settings;
     settings.trajectories = trajectories;
     bench->setSettings(settings);
+    QTRY_VERIFY(this->find<QPushButton>("run")->isEnabled());  // the run before has ended
     this->click("run");
     QTRY_VERIFY(bench->shown() && (trajectories > 1000000 || (!bench->isRunning() && bench->shown()->complete)));
   }

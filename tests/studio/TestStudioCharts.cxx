@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QTest>
 #include <QWheelEvent>
+#include <cmath>
 
 #include "charts/ChartDrawing.h"
 #include "charts/ChartView.h"

@@ -43,10 +43,9 @@ void SceneView::keyPressEvent(QKeyEvent* event)
       camera->Azimuth(-turn);
       break;
     case Qt::Key_Up:
-      camera->Elevation(-turn);
-      break;
     case Qt::Key_Down:
-      camera->Elevation(turn);
+      camera->Elevation(event->key() == Qt::Key_Up ? -turn : turn);
+      camera->OrthogonalizeViewUp();
       break;
     case Qt::Key_Plus:
     case Qt::Key_Minus:
@@ -55,7 +54,6 @@ void SceneView::keyPressEvent(QKeyEvent* event)
     default:
       return QWidget::keyPressEvent(event);
   }
-  camera->OrthogonalizeViewUp();
   this->First.renderer()->ResetCameraClippingRange();
   this->render();
 }
