@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
       parse(parser);
     }
   QApplication application(argc, argv);
-  studio::dressApplication();
+  studio::styleApplication();
   QCommandLineParser parser;
   parse(parser);
 

@@ -73,7 +73,7 @@ protected:
 inline void prepareTest()
 {
   static const QTemporaryDir settings;
-  studio::dressApplication();
+  studio::styleApplication();
   QStandardPaths::setTestModeEnabled(true);
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   studio::setLightsOnOpening(false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Catches the error events of a VTK algorithm, so that they become a Problem and not a line on the terminal.
+// Collects the error events of a VTK algorithm, so that they can be thrown as a Problem.
 #ifndef studio_ErrorCollector_h
 #define studio_ErrorCollector_h
 

@@ -17,7 +17,7 @@ public:
   bool canUndo() const { return this->Now > 0; }
   bool canRedo() const { return this->Now + 1 < this->States.size(); }
 
-  /// Drops what could be redone; equal to the current value: nothing happens. The oldest of 200 states is forgotten.
+  /// Adds a state and removes those that could be redone. Does nothing for the current value. Keeps 200 states.
   void set(Value value)
   {
     if (value == this->current())

@@ -77,7 +77,7 @@ Chart LineProbe::chart() const
                              {distances.last(), *this->Truth});
   if (!all.empty())
   {
-    // Spikes shall not flatten all that is to be compared.
+    // Limit the axis so that spikes do not hide the differences between the other methods.
     std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
     chart.yLimit = 1.8 * std::max(all[all.size() / 2], this->Truth.value_or(0));
   }

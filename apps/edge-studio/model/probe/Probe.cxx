@@ -34,10 +34,10 @@ Probe::Probe(QObject* parent) : QObject(parent)
 
 void Probe::start(const ScenePtr& scene, const Pick& pick, const MethodSettings& settings, int batches)
 {
-  this->Where = pick;
+  this->Picked = pick;
   this->Edge = nearestEdge(*scene, pick.position);
   this->Truth = scene->furnaceIlluminance();
-  this->Wanted = settings;
+  this->Settings = settings;
   this->Steps.clear();
   this->Contributions.clear();
   const auto receiver = pointReceivers(QVector<Point>(1, pick.position), pick.normal);
@@ -58,7 +58,7 @@ void Probe::start(const ScenePtr& scene, const Pick& pick, const MethodSettings&
 void Probe::forget()
 {
   this->Queue.forget();
-  this->Where.reset();
+  this->Picked.reset();
   this->Edge.reset();
   this->Steps.clear();
   this->Contributions.clear();
@@ -105,8 +105,8 @@ Chart Probe::convergence() const
   if (this->Steps.empty())
     return chart;
   Series estimate;
-  estimate.name = QString::fromLatin1(methodOf(this->Wanted.method).key);
-  estimate.colour = methodColour(this->Wanted.method);
+  estimate.name = QString::fromLatin1(methodOf(this->Settings.method).key);
+  estimate.colour = methodColour(this->Settings.method);
   estimate.style = Series::Style::LineAndPoints;
   for (const Step& step : this->Steps)
   {
@@ -140,10 +140,10 @@ Chart Probe::histogram() const
   for (double value : values)
     ++counts[std::min(bins - 1, static_cast<int>(bins * (std::log10(value) - low) / (high - low)))];
   Series bars;
-  bars.name = QString::fromLatin1(methodOf(this->Wanted.method).key);
+  bars.name = QString::fromLatin1(methodOf(this->Settings.method).key);
   if (const int dark = static_cast<int>(this->Contributions.size() - values.size()))
     bars.name += tr(", %1 more without light").arg(dark);
-  bars.colour = methodColour(this->Wanted.method);
+  bars.colour = methodColour(this->Settings.method);
   bars.style = Series::Style::Bars;
   for (int i = 0; i <= bins; ++i)
     bars.points << QPointF(std::pow(10.0, low + (high - low) * i / bins), i < bins ? counts[i] : 0);

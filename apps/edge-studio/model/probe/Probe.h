@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One point under study: how its estimate converges, and what single trajectories contribute.
+// Studies one point: the convergence of its estimate, and the contributions of single trajectories.
 #ifndef studio_Probe_h
 #define studio_Probe_h
 
@@ -34,7 +34,7 @@ public:
   void forget();  ///< stops, and is as new
   bool active() const { return this->Queue.active(); }
 
-  const std::optional<Pick>& pick() const { return this->Where; }
+  const std::optional<Pick>& pick() const { return this->Picked; }
   const std::optional<NearestEdge>& edge() const { return this->Edge; }
   std::optional<Estimate> estimate() const;
   qint64 trajectories() const;
@@ -55,10 +55,10 @@ private:
     Estimate estimate;
   };
   RunQueue Queue;
-  std::optional<Pick> Where;
+  std::optional<Pick> Picked;
   std::optional<NearestEdge> Edge;
   std::optional<double> Truth;
-  MethodSettings Wanted;
+  MethodSettings Settings;
   std::vector<Step> Steps;
   QVector<double> Contributions;  // of single trajectories, lx
 };

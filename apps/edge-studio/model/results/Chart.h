@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A chart as data: what the widgets draw, what goes into SVG, PNG and CSV.
+// The data of a chart, for the widgets that draw it and for SVG, PNG and CSV.
 #ifndef studio_Chart_h
 #define studio_Chart_h
 

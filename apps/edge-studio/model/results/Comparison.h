@@ -19,7 +19,7 @@ struct Comparison
   bool independent = true;    ///< false: the seeds are the same, so the errors are not independent
 };
 
-/// What a has more than b. Sets that only one of the two has are left out.
+/// The difference a - b. Sets that only one of the two has are left out.
 Comparison compare(const Result& a, const Result& b);
 
 /// How far a result is from the truth, over all receivers.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How results are shown, and the range of values that a picture of one needs.
+// Display settings, and the range of values that a picture of a result needs.
 #ifndef studio_Display_h
 #define studio_Display_h
 
@@ -21,7 +21,7 @@ enum class Quantity
   StandardError
 };
 
-/// From values to colours.
+/// The mapping of values to colours.
 enum class Scale
 {
   Linear,
@@ -51,7 +51,7 @@ struct Display
   bool operator!=(const Display& other) const { return !(*this == other); }
 };
 
-/// What a picture of these results shows: the values above 0 of the quantity, of all sets that are not hidden.
+/// All values above 0 of the shown quantity, of all sets that are not hidden.
 std::vector<double> litValues(const QVector<ResultPtr>& results, const Display& display);
 
 /// From 0 (logarithmic scale: three decades below) to a round number above all but the highest half per cent of the

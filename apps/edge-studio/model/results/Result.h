@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run has found so far.
+// The result of a run, complete or not.
 #ifndef studio_Result_h
 #define studio_Result_h
 
@@ -39,7 +39,7 @@ struct Result
 
 using ResultPtr = std::shared_ptr<const Result>;
 
-/// Takes over what vtkKalosIlluminance gave; nobody else may change it from now on.
+/// Takes over the output of vtkKalosIlluminance; nobody else may change it afterwards.
 Result makeResult(const MethodSettings& settings, vtkDataObject* data);
 
 /// An array of a data set, from its points where they have it, else from its cells; null if there is none.

@@ -56,7 +56,7 @@ ResultPtr readResult(const MethodSettings& settings, bool complete, const QStrin
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data);
   if (!blocks || blocks->GetNumberOfBlocks() == 0)
     refuse(path);
-  // The field data of the whole stand at each block too.
+  // Each block has a copy of the field data.
   if (vtkDataObject* first = blocks->GetBlock(0))
     blocks->GetFieldData()->ShallowCopy(first->GetFieldData());
   return stored(settings, complete, blocks);

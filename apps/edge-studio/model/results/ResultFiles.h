@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Results in files of VTK, with everything that they hold. Each function throws Problem.
+// Stores results in VTK files with all their arrays. Each function throws Problem.
 #ifndef studio_ResultFiles_h
 #define studio_ResultFiles_h
 

@@ -12,7 +12,7 @@
 
 namespace studio
 {
-/// What the picture is exposed for, in the unit of the values.
+/// The exposure of a photograph, in the unit of the values.
 struct Exposure
 {
   double average = 1;  ///< logarithmic average, which becomes a middle grey of 18 %

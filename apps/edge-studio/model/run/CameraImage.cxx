@@ -34,7 +34,7 @@ ImageRequest ImageRequest::fromJson(const QJsonObject& object, const QString& wh
 
 void CameraImage::start(const ScenePtr& scene, const ImageRequest& request)
 {
-  this->Wanted = request;
+  this->Request = request;
   this->Current = std::make_unique<Run>(
       planImage(*scene, request.camera, request.width, request.height, request.settings), request.settings);
   connect(this->Current.get(), &Run::progressed, this, &CameraImage::changed);
@@ -59,7 +59,7 @@ void CameraImage::start(const ScenePtr& scene, const ImageRequest& request)
 void CameraImage::restore(const ImageRequest& request, const ResultPtr& result)
 {
   this->Current.reset();
-  this->Wanted = request;
+  this->Request = request;
   this->Latest = result;
   emit this->changed();
 }
@@ -72,7 +72,7 @@ void CameraImage::cancel()
 
 void CameraImage::forget()
 {
-  this->Wanted.reset();
+  this->Request.reset();
   this->Current.reset();
   this->Latest.reset();
 }

@@ -12,7 +12,7 @@ class vtkImageData;
 
 namespace studio
 {
-/// What an image is of.
+/// The request for an image.
 struct ImageRequest
 {
   CameraPreset camera;
@@ -33,14 +33,14 @@ public:
 
   /// Stops what is under way, and begins anew.
   void start(const ScenePtr& scene, const ImageRequest& request);
-  /// As if `result` had just been computed.
+  /// Takes over a result that was computed before.
   void restore(const ImageRequest& request, const ResultPtr& result);
   void cancel();
   void forget();  ///< stops at once, without a signal; no result
   bool active() const { return this->Current && this->Current->active(); }
 
   const Run* run() const { return this->Current.get(); }  ///< the last one started; null before
-  const std::optional<ImageRequest>& request() const { return this->Wanted; }
+  const std::optional<ImageRequest>& request() const { return this->Request; }
   ResultPtr result() const { return this->Latest; }
   vtkImageData* data() const;  ///< of the result, row 0 at the bottom; null where there is none
 
@@ -50,7 +50,7 @@ signals:
   void problem(const QString& message);
 
 private:
-  std::optional<ImageRequest> Wanted;
+  std::optional<ImageRequest> Request;
   std::unique_ptr<Run> Current;
   ResultPtr Latest;
 };

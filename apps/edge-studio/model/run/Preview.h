@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// First colours: some of the receivers stand for all, until the first full round is there.
+// A preview: results at some receivers stand for all until the first complete round.
 #ifndef studio_Preview_h
 #define studio_Preview_h
 

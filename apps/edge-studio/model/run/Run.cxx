@@ -16,7 +16,7 @@ namespace studio
 {
 namespace
 {
-/// Leaves the processors to the window when both want them, however nice that is itself. Threads that a solve starts
+/// Lowers the priority of this thread below the window's. Threads that a solve starts
 /// inherit it.
 void yieldToTheWindow()
 {
@@ -50,7 +50,7 @@ private:
 }  // namespace
 
 Run::Run(RunPlan plan, const MethodSettings& settings, QObject* parent)
-    : QObject(parent), Wanted(settings), Plan(std::move(plan))
+    : QObject(parent), Settings(settings), Plan(std::move(plan))
 {
   this->Clock.start();
   this->Worker = std::thread([this] { this->work(); });
@@ -64,65 +64,66 @@ Run::~Run()
 
 double Run::elapsed() const
 {
-  return this->ElapsedBefore + (this->Now == State::Running ? static_cast<double>(this->Clock.elapsed()) / 1000 : 0);
+  return this->ElapsedBefore +
+         (this->CurrentState == State::Running ? static_cast<double>(this->Clock.elapsed()) / 1000 : 0);
 }
 
 std::optional<double> Run::remaining() const
 {
-  if (!(this->Done > 0.02 && this->Done < 1))
+  if (!(this->Progress > 0.02 && this->Progress < 1))
     return {};
-  return (this->elapsed() - this->LastStepBegan) * (1 / this->Done - 1);
+  return (this->elapsed() - this->LastStepBegan) * (1 / this->Progress - 1);
 }
 
 void Run::setState(State state)
 {
   this->ElapsedBefore = this->elapsed();
   this->Clock.restart();
-  this->Now = state;
+  this->CurrentState = state;
 }
 
 void Run::pause()
 {
-  if (this->Now != State::Running)
+  if (this->CurrentState != State::Running)
     return;
   this->setState(State::Paused);
   const std::lock_guard<std::mutex> guard(this->Lock);
-  this->Resting = true;
+  this->PauseRequested = true;
 }
 
 void Run::resume()
 {
-  if (this->Now != State::Paused)
+  if (this->CurrentState != State::Paused)
     return;
   this->setState(State::Running);
   const std::lock_guard<std::mutex> guard(this->Lock);
-  this->Resting = false;
+  this->PauseRequested = false;
   this->Wake.notify_all();
 }
 
 void Run::cancel()
 {
-  this->Stop = true;
+  this->StopRequested = true;
   const std::lock_guard<std::mutex> guard(this->Lock);
-  this->Resting = false;
+  this->PauseRequested = false;
   this->Wake.notify_all();
 }
 
-// Below: the worker, which touches the owner's members only by events that the owner handles.
+// The worker thread. It changes members of the owner only through events that the owner handles.
 
-bool Run::restIfAsked()
+bool Run::waitWhilePaused()
 {
   std::unique_lock<std::mutex> guard(this->Lock);
-  this->Wake.wait(guard, [this] { return !this->Resting; });
-  return !this->Stop;
+  this->Wake.wait(guard, [this] { return !this->PauseRequested; });
+  return !this->StopRequested;
 }
 
 void Run::publish(vtkDataObject* data, Stage stage)
 {
-  auto result = std::make_shared<Result>(makeResult(this->Wanted, data));
+  auto result = std::make_shared<Result>(makeResult(this->Settings, data));
   result->complete = stage == Stage::Last;
   result->preview = stage == Stage::Preview;
-  // Of few receivers every round is told, of many the newest: the window shall not lag behind.
+  // With few receivers every round is published; with many only the newest one, so that the window does not lag behind.
   if (result->quality.receivers < 1000)
   {
     QMetaObject::invokeMethod(
@@ -166,15 +167,15 @@ void Run::work()
     const bool last = &step == &steps.back();
     latest = nullptr;
     problem = this->solve(step, last, [&](vtkDataObject* data) {
-      latest = step.dress ? step.dress(data) : vtkSmartPointer<vtkDataObject>(data);
+      latest = step.makeOutput ? step.makeOutput(data) : vtkSmartPointer<vtkDataObject>(data);
       this->publish(latest, last ? Stage::Round : Stage::Preview);
     });
-    if (!problem.isEmpty() || this->Stop)
+    if (!problem.isEmpty() || this->StopRequested)
       break;
   }
   steps.clear();
   this->Plan = {};  // the prepared scene is large
-  const bool stopped = this->Stop;
+  const bool stopped = this->StopRequested;
   if (problem.isEmpty() && !stopped && latest)
     this->publish(latest, Stage::Last);
   QMetaObject::invokeMethod(
@@ -182,7 +183,7 @@ void Run::work()
       [this, problem, stopped] {
         this->Problem = problem;
         this->setState(!problem.isEmpty() ? State::Failed : stopped ? State::Cancelled : State::Finished);
-        this->Done = this->Now == State::Finished ? 1 : this->Done;
+        this->Progress = this->CurrentState == State::Finished ? 1 : this->Progress;
         emit this->ended();
       },
       Qt::QueuedConnection);
@@ -202,7 +203,7 @@ QString Run::solve(const RunStep& step, bool last, const std::function<void(vtkD
         this, [this] { this->LastStepBegan = this->elapsed(); }, Qt::QueuedConnection);
   QElapsedTimer told;
   auto onProgress = [&](void*) {
-    // What the window shows of it costs a third of a processor at 20 times a second, where software draws the window.
+    // With software OpenGL, 20 updates a second would take a third of a processor.
     if (last && (!told.isValid() || told.elapsed() > 250))
     {
       told.start();
@@ -210,18 +211,18 @@ QString Run::solve(const RunStep& step, bool last, const std::function<void(vtkD
       QMetaObject::invokeMethod(
           this,
           [this, done] {
-            this->Done = done;
+            this->Progress = done;
             emit this->progressed();
           },
           Qt::QueuedConnection);
     }
-    if (!this->restIfAsked())
+    if (!this->waitWhilePaused())
       estimator->SetAbortExecute(1);
   };
   auto onRound = [&](void* data) { round(static_cast<vtkDataObject*>(data)); };
   const Observation progress(estimator, vtkCommand::ProgressEvent, onProgress),
       rounds(estimator, vtkCommand::UpdateDataEvent, onRound);
-  if (!this->Stop)
+  if (!this->StopRequested)
     estimator->Update();
   return errors->message();
 }

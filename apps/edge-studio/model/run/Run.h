@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One run of a plan in a thread of its own, which refines its result and can rest, go on and be stopped.
+// Runs a plan in its own thread; the result is refined, and the run can be paused, resumed and cancelled.
 #ifndef studio_Run_h
 #define studio_Run_h
 
@@ -39,13 +39,13 @@ public:
   }
   ~Run() override;  ///< cancels, and waits for the thread
 
-  const MethodSettings& settings() const { return this->Wanted; }
-  State state() const { return this->Now; }
-  bool active() const { return this->Now == State::Running || this->Now == State::Paused; }
+  const MethodSettings& settings() const { return this->Settings; }
+  State state() const { return this->CurrentState; }
+  bool active() const { return this->CurrentState == State::Running || this->CurrentState == State::Paused; }
   ResultPtr result() const { return this->Latest; }
   const QString& problem() const { return this->Problem; }
-  double progress() const { return this->Done; }  ///< of the last step, [0, 1]
-  double elapsed() const;                         ///< s, pauses apart
+  double progress() const { return this->Progress; }  ///< of the last step, [0, 1]
+  double elapsed() const;                             ///< s, pauses apart
   /// s until the goal, as far as the last step's progress tells; nothing at its very beginning and end.
   std::optional<double> remaining() const;
 
@@ -69,26 +69,26 @@ private:
   };
   void work();
   QString solve(const RunStep& step, bool last, const std::function<void(vtkDataObject*)>& round);
-  bool restIfAsked();
+  bool waitWhilePaused();
   void publish(vtkDataObject* data, Stage stage);
   void setState(State state);
 
-  MethodSettings Wanted;
+  MethodSettings Settings;
   RunPlan Plan;
 
-  // Of the thread that owns this object.
-  State Now = State::Running;
+  // Used by the owner's thread only.
+  State CurrentState = State::Running;
   ResultPtr Latest;
   QString Problem;
-  double Done = 0;
+  double Progress = 0;
   QElapsedTimer Clock;
   double ElapsedBefore = 0, LastStepBegan = 0;
 
   // Shared with the worker.
-  std::atomic<bool> Stop{false};
-  std::mutex Lock;  // guards Resting and Pending
+  std::atomic<bool> StopRequested{false};
+  std::mutex Lock;  // guards PauseRequested and Pending
   std::condition_variable Wake;
-  bool Resting = false;
+  bool PauseRequested = false;
   ResultPtr Pending;
   std::thread Worker;
 };

@@ -16,7 +16,7 @@ namespace
 constexpr qint64 quickTrajectories = 32;
 constexpr vtkIdType fewReceivers = 64;
 
-/// The thread of a run must not share lazily built parts with the window.
+/// The thread of a run must not share lazily built data with the window.
 template <class Data>
 vtkSmartPointer<Data> copyOf(Data* data)
 {

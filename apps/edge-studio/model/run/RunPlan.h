@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run solves, step by step: quick pictures first, the whole at the end.
+// The steps of a run: previews first, then all receivers.
 #ifndef studio_RunPlan_h
 #define studio_RunPlan_h
 
@@ -17,7 +17,7 @@ struct RunStep
   MethodSettings settings;
   std::function<void()> prepare;  ///< of the estimator's inputs and size
   /// From what the estimator gives to what is shown; empty: the same.
-  std::function<vtkSmartPointer<vtkDataObject>(vtkDataObject*)> dress;
+  std::function<vtkSmartPointer<vtkDataObject>(vtkDataObject*)> makeOutput;
 };
 
 struct RunPlan

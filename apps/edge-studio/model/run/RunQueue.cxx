@@ -40,7 +40,7 @@ void RunQueue::next()
     this->Results[this->At] = this->Current->result();
     emit this->refined(this->At);
   });
-  // The run is replaced in what follows: not while it is still emitting.
+  // The handler replaces the run, so it must not be called while the run is still emitting.
   connect(
       this->Current.get(), &Run::ended, this,
       [this, run = this->Current.get()] {

@@ -38,7 +38,7 @@ QByteArray furnaceAround(const QString& meshFile)
   const QJsonObject surface{{QStringLiteral("name"), QStringLiteral("mesh")},
                             {QStringLiteral("file"), QFileInfo(meshFile).absoluteFilePath()},
                             {QStringLiteral("material"), QStringLiteral("glow")}};
-  // The format asks for something to compute: a camera, which is not shown.
+  // A scene file needs a receiver or a camera; this camera is not shown.
   const QJsonObject camera{{QStringLiteral("name"), QStringLiteral("none")},
                            {QStringLiteral("position"), QJsonArray{0, -1, 0}},
                            {QStringLiteral("target"), QJsonArray{0, 0, 0}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene around a mesh file that brings no light of its own.
+// Makes a scene of a mesh file that has no light of its own.
 #ifndef studio_BareMesh_h
 #define studio_BareMesh_h
 
@@ -10,7 +10,7 @@ namespace studio
 /// By its name; an OBJ with a library of materials is not.
 bool isBareMesh(const QString& path);
 
-/// Text of a scene file with this mesh as a white furnace; every `usemtl` name of an OBJ gets the same material.
+/// The text of a scene file with this mesh as a white furnace; every `usemtl` name of an OBJ gets the same material.
 QByteArray furnaceAround(const QString& meshFile);
 }  // namespace studio
 

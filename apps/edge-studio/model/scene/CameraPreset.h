@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where one looks from.
+// A viewpoint.
 #ifndef studio_CameraPreset_h
 #define studio_CameraPreset_h
 
@@ -16,7 +16,7 @@ struct CameraPreset
   Point position{0, -1, 0}, target{0, 0, 0}, up{0, 0, 1};
   double fieldOfView = 45;  ///< across the smaller side of the picture, degrees
 
-  /// From the bottom to the top of a picture of this width over height, degrees.
+  /// The vertical field of view of a picture with this ratio of width to height, degrees.
   double verticalAngle(double shape) const;
 
   QJsonObject toJson() const;  ///< the name apart
@@ -24,7 +24,8 @@ struct CameraPreset
   static CameraPreset fromJson(const QJsonObject& object, const QString& where);
 };
 
-/// Sees all of a box (as vtkDataSet::GetBounds() gives it) along a direction, in a picture of this width over height.
+/// A viewpoint that shows all of a box (bounds as of vtkDataSet) along a direction, in a picture of this ratio of width
+/// to height.
 CameraPreset fitted(const double bounds[6], const Point& direction, const Point& up, double shape);
 }  // namespace studio
 

@@ -31,7 +31,7 @@ bool hasAreasOfLight(vtkPolyData* surfaces, vtkPolyData* luminaires)
   return (exitance && exitance->GetRange(-1)[1] > 0) || (side && side->GetRange(-1)[1] > 0);
 }
 
-/// The surfaces in black: trajectories end where they arrive, and only direct light is left.
+/// The surfaces with a reflectance of 0: trajectories end at the first hit, and only direct light is left.
 vtkSmartPointer<vtkPolyData> blackened(vtkPolyData* surfaces)
 {
   auto black = vtkSmartPointer<vtkPolyData>::New();
@@ -65,7 +65,7 @@ public:
       set->GetCellPoints(i, ids);
       const Corners corners(ids->begin(), ids->end());
       this->Cells.push_back({corners, i});
-      // A little inside of its cell: on its rim a wall may stand.
+      // Measured slightly inside the cell, because a wall may stand on its border.
       const Point centre = cellCentre(set, i), normal(set->GetCellData()->GetNormals()->GetTuple3(i));
       for (const vtkIdType corner : corners)
         this->Places[static_cast<std::size_t>(corner)] = {this->at(corner) + 1e-3 * (centre - this->at(corner)),
@@ -179,7 +179,7 @@ private:
       parts.push_back({middles, cell.origin, true});
   }
 
-  // The direct light at the points that have none yet.
+  // Computes the direct light at the points that were added since the last call.
   void measure()
   {
     const std::size_t first = this->Light.size();

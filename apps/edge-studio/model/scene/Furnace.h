@@ -13,7 +13,7 @@ namespace studio
 /// of one reflectance and one exitance, whose fronts see nothing but fronts. Nothing where this does not hold.
 std::optional<double> furnaceIlluminance(vtkPolyData* surfaces, vtkPolyData* luminaires);
 
-/// Whether a closed surface has its fronts outside: its backs see nothing but backs.
+/// Whether a closed surface has its fronts outside: rays from its backs meet only backs.
 bool facesOutward(vtkPolyData* surfaces);
 
 /// The same surfaces with front and back exchanged.

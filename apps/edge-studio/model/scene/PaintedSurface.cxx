@@ -25,14 +25,14 @@ vtkSmartPointer<vtkPolyData> remeshed(vtkPolyData* triangles, double length)
   const auto errors = ErrorCollector::watch(remesh);
   remesh->SetInputData(triangles);
   remesh->SetEdgeLength(length);
-  // So small along edges that plain local estimation is visibly noisy there, and soon larger: cells are time.
+  // Small enough along edges to show the noise of plain local estimation. Steep grading keeps the number of cells low.
   remesh->SetSmallestEdgeLength(length / 8);
   remesh->SetGrading(1.5);
   remesh->Update();
   return errors->message().isEmpty() ? remesh->GetOutput() : triangles;
 }
 
-/// With cell normals; points are not shared across creases, so that values can be interpolated within a face and not
+/// Adds cell normals and splits points at creases, so that values are interpolated within a face and not
 /// around its edges.
 vtkSmartPointer<vtkPolyData> faceted(vtkPolyData* triangles, double crease)
 {

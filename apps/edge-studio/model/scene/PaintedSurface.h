@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces as receivers that get painted.
+// Divides surfaces into the cells that are computed and painted.
 #ifndef studio_PaintedSurface_h
 #define studio_PaintedSurface_h
 

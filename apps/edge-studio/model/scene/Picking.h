@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which point of what is shown lies under the cursor.
+// Finds the point under the cursor.
 #ifndef studio_Picking_h
 #define studio_Picking_h
 
@@ -21,7 +21,7 @@ struct Pick
 class Picking
 {
 public:
-  /// Of these sets of the scene; those of single points cannot be hit.
+  /// Searches these sets of the scene; sets of single points cannot be hit.
   Picking(const ScenePtr& scene, const QStringList& sets);
 
   /// The first thing from `from` on towards `to` that is seen: surfaces from their front, planes from both sides.

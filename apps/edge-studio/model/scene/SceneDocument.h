@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene as the studio shows it: what the file says, its singular edges, and surfaces cut into cells to be painted.
+// A scene as Edge Studio shows it: the content of the file, its singular edges, and surfaces divided into display
+// cells.
 #ifndef studio_SceneDocument_h
 #define studio_SceneDocument_h
 
@@ -39,7 +40,7 @@ public:
   /// Names of the receiver sets: paintedName() first, then those of the file.
   QStringList sets() const;
   static QString paintedName() { return QStringLiteral("surfaces"); }
-  /// What the first set paints. In large scenes it has more triangles than the set has receivers.
+  /// The cells of the first set. Large scenes have more triangles than receivers.
   const PaintedSurface& painted() const { return this->Painted; }
   /// Finer cells of a set for its picture; null where there are none.
   std::shared_ptr<const FineShadows> fineShadows(const QString& set) const { return this->Fine.value(set); }

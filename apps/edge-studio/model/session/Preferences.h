@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is kept in the user's settings: the scenes that were opened last, and habits.
+// Preferences in the user's settings: recent scenes, automatic runs, the layout of the window.
 #ifndef studio_Preferences_h
 #define studio_Preferences_h
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How soon the window may show more of a run, so that drawing leaves the processor to the run at any size of the
-// window.
+// Limits how often the window shows new results of a run, so that drawing takes a small share of the time at any size
+// of the window.
 #ifndef studio_RedrawBudget_h
 #define studio_RedrawBudget_h
 

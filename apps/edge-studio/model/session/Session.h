@@ -7,7 +7,7 @@
 
 namespace studio
 {
-/// What the names of sessions end with.
+/// The suffix of session files.
 inline const QString sessionSuffix = QStringLiteral("kalos-session.json");
 
 /// Writes NAME.json and, in the folder NAME.results, a .vtm for each result, cancelled ones too, and a .vti of a
@@ -22,10 +22,10 @@ bool isSession(const QString& path);
 /// complete is computed anew, from where it was seen. Throws Problem, and then the bench stays as it was.
 CameraPreset openSession(Workbench& bench, const QString& path);
 
-/// Where a session is kept that was not closed in an orderly way.
+/// The automatic save of the running session, left behind by a crash.
 QString autosavePath();
 
-/// Where the session is kept that was closed last.
+/// The session that was closed last.
 QString lastSessionPath();
 
 /// Removes a session and its results; nothing happens where there is none.

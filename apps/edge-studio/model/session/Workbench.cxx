@@ -31,14 +31,14 @@ void Workbench::open(const QString& path, bool turned)
   this->Current.reset();
   this->CurrentHasResult = false;
   this->Scene = scene;
-  this->Chosen = scene->usualSets();
+  this->ChosenSets = scene->usualSets();
   this->Series.clear();
   this->Results.clear();
   this->Tracks.clear();
   this->ShownIndex = -1;
-  this->Studied.reset();
-  this->Seen.forget();
-  this->Shown.hidden.clear();
+  this->CurrentStudy.reset();
+  this->Image.forget();
+  this->DisplaySettings.hidden.clear();
   this->Follows = true;
   this->Unsaved = false;
   this->Later.stop();
@@ -69,17 +69,17 @@ void Workbench::redo()
 
 void Workbench::setDisplay(const studio::Display& display)
 {
-  if (display == this->Shown)
+  if (display == this->DisplaySettings)
     return;
-  this->Shown = display;
+  this->DisplaySettings = display;
   emit this->displayChanged();
 }
 
 void Workbench::setChosenSets(const QStringList& names)
 {
-  if (names == this->Chosen)
+  if (names == this->ChosenSets)
     return;
-  this->Chosen = names;
+  this->ChosenSets = names;
   emit this->displayChanged();
 }
 
@@ -92,7 +92,7 @@ void Workbench::runSeries(const QVector<MethodSettings>& series)
 {
   if (!this->Scene)
     return;
-  if (this->Chosen.isEmpty())
+  if (this->ChosenSets.isEmpty())
   {
     emit this->problem(tr("There is nothing to compute. Tick a set of points in the column Compute."));
     return;
@@ -102,7 +102,7 @@ void Workbench::runSeries(const QVector<MethodSettings>& series)
 
 void Workbench::runUnasked()
 {
-  if (this->Scene && !this->Chosen.isEmpty())
+  if (this->Scene && !this->ChosenSets.isEmpty())
     this->start({firstLight(), this->settings()}, false);
 }
 
@@ -117,7 +117,7 @@ void Workbench::start(const QVector<MethodSettings>& series, bool asked)
 bool Workbench::showsAll() const
 {
   const ResultPtr result = this->shown();
-  QStringList missing = this->Chosen;
+  QStringList missing = this->ChosenSets;
   for (const NamedSet& set : dataSets(result ? result->data.Get() : nullptr))
     missing.removeAll(set.name);
   return missing.isEmpty();
@@ -125,7 +125,7 @@ bool Workbench::showsAll() const
 
 void Workbench::setStudy(const std::optional<Study>& study)
 {
-  this->Studied = study;
+  this->CurrentStudy = study;
   emit this->studyChanged();
 }
 
@@ -138,8 +138,8 @@ void Workbench::runStudy(const Study& study)
 QVector<ResultPtr> Workbench::onOneScale() const
 {
   QVector<ResultPtr> cells;
-  if (this->Studied)
-    cells = this->Studied->cells(this->Results);
+  if (this->CurrentStudy)
+    cells = this->CurrentStudy->cells(this->Results);
   return cells.contains(this->shown()) ? cells : QVector<ResultPtr>{this->shown()};
 }
 
@@ -148,11 +148,12 @@ void Workbench::runNext()
   if (this->Series.isEmpty())
     return;
   const MethodSettings settings = this->Series.takeFirst();
-  // Where there is a picture already, a coarse one would cost time and show less.
-  this->Current = std::make_unique<Run>(this->Scene, this->Scene->receivers(this->Chosen), settings, !this->showsAll());
+  // A preview is not needed where a complete picture is shown already.
+  this->Current =
+      std::make_unique<Run>(this->Scene, this->Scene->receivers(this->ChosenSets), settings, !this->showsAll());
   this->CurrentHasResult = false;
   connect(this->Current.get(), &Run::refined, this, &Workbench::takeResult);
-  // The run is replaced in what follows: not while it is still emitting.
+  // The handler replaces the run, so it must not be called while the run is still emitting.
   connect(
       this->Current.get(), &Run::ended, this,
       [this, run = this->Current.get()] {

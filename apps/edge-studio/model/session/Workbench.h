@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the studio has on its bench: a scene, settings that can be undone, a run, and the results so far.
+// The state of the application: a scene, settings with undo, the current run, and all results.
 #ifndef studio_Workbench_h
 #define studio_Workbench_h
 
@@ -34,11 +34,11 @@ public:
   bool canUndo() const { return this->History.canUndo(); }
   bool canRedo() const { return this->History.canRedo(); }
 
-  const studio::Display& display() const { return this->Shown; }
+  const studio::Display& display() const { return this->DisplaySettings; }
   void setDisplay(const studio::Display& display);
 
   /// Receiver sets that the next run computes.
-  const QStringList& chosenSets() const { return this->Chosen; }
+  const QStringList& chosenSets() const { return this->ChosenSets; }
   void setChosenSets(const QStringList& names);
 
   Run* activeRun() const { return this->Current.get(); }  ///< the last one started, also when it has ended; null before
@@ -46,7 +46,7 @@ public:
   /// Whether a run that a user asked for is under way; others make room for the next one.
   bool isBusy() const { return this->isRunning() && this->Asked; }
 
-  /// Every run that left something, in the order of their starts; the last grows while it runs.
+  /// The result of every run that had one, in the order of their starts; the last is refined during its run.
   const QVector<ResultPtr>& results() const { return this->Results; }
   int shownIndex() const { return this->ShownIndex; }
   ResultPtr shown() const { return this->Results.value(this->ShownIndex); }
@@ -55,7 +55,7 @@ public:
 
   /// Runs these settings one after the other; cancel() stops the whole series.
   void runSeries(const QVector<MethodSettings>& series);
-  /// A picture in a second or two, then the chosen settings. Nobody asked for it, so that it is not unsaved().
+  /// Runs the fast method for a second, then the chosen settings. These results do not count as unsaved().
   void runUnasked();
 
   /// Whether there are results of runs that were asked for since the last markSaved(), or such a run is under way.
@@ -71,15 +71,15 @@ public:
 
   /// Runs a study, cell by cell.
   void runStudy(const Study& study);
-  const std::optional<Study>& study() const { return this->Studied; }
+  const std::optional<Study>& study() const { return this->CurrentStudy; }
   void setStudy(const std::optional<Study>& study);  ///< without running it
 
-  /// What the picture of the shown result shares one scale with: the cells of its study, or nothing but itself.
+  /// The results that share one scale with the shown one: the cells of its study, else itself only.
   QVector<ResultPtr> onOneScale() const;
 
   /// The luminance that a camera sees.
-  CameraImage& image() { return this->Seen; }
-  const CameraImage& image() const { return this->Seen; }
+  CameraImage& image() { return this->Image; }
+  const CameraImage& image() const { return this->Image; }
 
 public slots:
   void undo();
@@ -108,13 +108,13 @@ private:
 
   ScenePtr Scene;
   UndoHistory<MethodSettings> History;
-  studio::Display Shown;
-  QStringList Chosen;
+  studio::Display DisplaySettings;
+  QStringList ChosenSets;
   std::unique_ptr<Run> Current;
   bool CurrentHasResult = false;   // the last of Results is Current's
   QVector<MethodSettings> Series;  // still to be run
-  std::optional<Study> Studied;
-  CameraImage Seen;
+  std::optional<Study> CurrentStudy;
+  CameraImage Image;
   QVector<ResultPtr> Results;
   QVector<QVector<QPointF>> Tracks;
   int ShownIndex = -1;

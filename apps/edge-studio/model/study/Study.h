@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One method over trajectories, delta and epsilon, as Table 1 of Budak et al. 2023 lays its pictures out: a row for
+// One method over trajectories, delta and epsilon, arranged as Table 1 of Budak et al. 2023: a row for
 // each number of trajectories, a column for each delta and epsilon.
 #ifndef studio_Study_h
 #define studio_Study_h

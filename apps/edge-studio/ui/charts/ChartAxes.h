@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the values of a chart to places on paper.
+// Maps the values of a chart to positions in the drawing.
 #ifndef studio_ChartAxes_h
 #define studio_ChartAxes_h
 

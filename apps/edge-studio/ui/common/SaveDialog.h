@@ -16,7 +16,7 @@ struct FileKind
   QString suffix;  ///< "exr"
 };
 
-/// The path as it is where it ends with the suffix of one of the kinds, else with that of the chosen one.
+/// Adds the suffix of the chosen kind, unless the path has that of one of the kinds already.
 QString withSuffix(QString path, const QVector<FileKind>& kinds, const FileKind& chosen);
 
 /// Asks before files are replaced; true where none of them exists.

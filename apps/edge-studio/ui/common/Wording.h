@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the studio says in words.
+// Texts of the user interface that depend on values.
 #ifndef studio_Wording_h
 #define studio_Wording_h
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The results so far, and two of them beside each other.
+// Lists the results, and compares two of them.
 #ifndef studio_ComparePanel_h
 #define studio_ComparePanel_h
 

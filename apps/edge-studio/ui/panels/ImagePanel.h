@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The luminance seen from where the scene's view looks: computed, shown, read pixel by pixel, saved.
+// Computes the luminance from the current view, shows it, reads out pixels, and saves it.
 #ifndef studio_ImagePanel_h
 #define studio_ImagePanel_h
 

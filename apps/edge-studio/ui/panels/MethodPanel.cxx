@@ -194,7 +194,7 @@ void MethodPanel::showRun()
   this->PauseButton->setEnabled(active);
   this->PauseButton->setText(paused ? tr("Continue") : tr("Pause"));
   this->CancelButton->setEnabled(active);
-  // Every word that changes has the whole window drawn anew, where software draws it.
+  // Software OpenGL redraws the whole window whenever a label changes.
   active && !paused ? this->Tick.start(std::max(250, this->Bench->redrawWait())) : this->Tick.stop();
   this->Progress->setValue(run ? static_cast<int>(1000 * run->progress()) : 0);
   this->Times->setText(run ? describeTimes(*run) : QString());

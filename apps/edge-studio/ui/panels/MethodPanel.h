@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What to run, and how it goes.
+// Chooses the method and its effort, and shows the progress of the run.
 #ifndef studio_MethodPanel_h
 #define studio_MethodPanel_h
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is known of the point that was clicked, and of the line from it across the nearest edge.
+// Panels of the probed point and of the line across the nearest edge.
 #ifndef studio_ProbePanel_h
 #define studio_ProbePanel_h
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the view shows, and how.
+// Chooses what the view shows, and how.
 #ifndef studio_ShowPanel_h
 #define studio_ShowPanel_h
 

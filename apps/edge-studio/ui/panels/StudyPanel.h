@@ -20,7 +20,7 @@ class StudyPanel : public QWidget
   Q_OBJECT
 
 public:
-  /// Pictures are taken from where the view looks when a study begins.
+  /// The pictures use the viewpoint of the scene's view at the start of a study.
   StudyPanel(Workbench* bench, SceneView* view, QWidget* parent = nullptr);
 
 private:

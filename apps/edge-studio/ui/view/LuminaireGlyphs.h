@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Luminaires as what one looks for: where they are, how large, and where their light goes.
+// Shows luminaires: their positions, sizes, and photometric solids.
 #ifndef studio_LuminaireGlyphs_h
 #define studio_LuminaireGlyphs_h
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is to be painted, and in which colours.
+// The data and the colours of a picture.
 #ifndef studio_Picture_h
 #define studio_Picture_h
 

@@ -30,7 +30,7 @@ bool hasColours(const ResultPtr& result)
   return false;
 }
 
-/// Whether the picture has the colours of things, not of a scale.
+/// Whether the picture shows the surfaces' own colours instead of a scale.
 bool isColourPhotograph(const ResultPtr& result, const Display& display)
 {
   return display.scale == Scale::Photographic && display.quantity == Quantity::Luminance && hasColours(result);
@@ -66,7 +66,7 @@ ShownPictures picturesOf(const ResultPtr& result, const ResultPtr& other, const 
 
 Display forImages(Display display)
 {
-  // A range that was set for lux means nothing here.
+  // A range in lux does not apply to luminance.
   display.automaticRange = display.automaticRange || display.quantity != Quantity::Luminance;
   display.quantity = Quantity::Luminance;
   display.hidden.clear();

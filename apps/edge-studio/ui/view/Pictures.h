@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From results and the way they are to be shown to colours and a legend.
+// Turns results and display settings into colours and a legend.
 #ifndef studio_Pictures_h
 #define studio_Pictures_h
 
@@ -10,7 +10,7 @@
 
 namespace studio
 {
-/// What the scene's view shows, with one scale for both sides.
+/// The pictures of the view, with one scale for both sides.
 struct ShownPictures
 {
   Picture first, second;
@@ -20,10 +20,10 @@ struct ShownPictures
 /// Of a result, on the scale that all of `sharing` have; its picture has no data where it is null.
 ShownPictures pictureOf(const ResultPtr& result, const QVector<ResultPtr>& sharing, const Display& display);
 
-/// Of a result, and of another one beside it.
+/// A result beside another one.
 ShownPictures picturesOf(const ResultPtr& result, const ResultPtr& other, const Display& display);
 
-/// How an image of luminance is shown: as the scene, but that the quantity is given.
+/// The display settings for an image: those of the scene with luminance as the quantity.
 Display forImages(Display display);
 
 /// The image in colours, its top row first. `image` is of vtkKalosLuminanceImage.

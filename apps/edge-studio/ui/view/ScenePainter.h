@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one renderer shows of a scene: painted receivers, isolines, luminaires, singular edges.
+// The content of one renderer: painted receivers, isolines, luminaires, singular edges.
 #ifndef studio_ScenePainter_h
 #define studio_ScenePainter_h
 
@@ -26,7 +26,7 @@ public:
 
   const ScenePtr& scene() const { return this->Scene; }
 
-  /// Pixels of the screen per pixel of the design: lines keep their looks at any scaling.
+  /// Physical pixels per logical pixel; line widths are scaled by it.
   void setPixelRatio(double ratio);
   void setScene(const ScenePtr& scene);
   /// Sets that the picture does not colour are drawn as plain grey shapes, others not at all.

@@ -118,7 +118,7 @@ void SceneView::setSwipe(double position)
   this->arrange();
 }
 
-// Both renderers are one picture cut at a line: each has a camera of its own, that sees its part of the whole.
+// The two renderers show one picture divided by a line; the camera of each sees its own part.
 void SceneView::arrange()
 {
   const bool two = this->Mode != Layout::Single;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the mouse and the keys do in the view: they turn the scene, drag the swipe line, pick a point.
+// Mouse and keyboard in the view: turning the scene, dragging the swipe line, picking a point.
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <cmath>

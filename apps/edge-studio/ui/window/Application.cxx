@@ -28,10 +28,10 @@ void prepareApplication()
   vtkObject::GlobalWarningDisplayOn();  // error events are not sent without
 }
 
-void dressApplication()
+void styleApplication()
 {
   std::setlocale(LC_NUMERIC, "C");  // QApplication takes over the user's, and readers of numbers would follow it
-  // Neutral greys, so that nothing around the picture tints it.
+  // Neutral greys do not change how the colours of the picture look.
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QPalette palette(QColor(0xf1, 0xf1, 0xf2));
   palette.setColor(QPalette::Base, Qt::white);

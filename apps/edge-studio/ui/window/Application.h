@@ -8,7 +8,7 @@
 namespace studio
 {
 void prepareApplication();  ///< before QApplication: OpenGL format, high resolution, names
-void dressApplication();    ///< after: style and colours
+void styleApplication();    ///< after: style and colours
 QString demoScene();
 }  // namespace studio
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the window exports: pictures, images, values.
+// Exports pictures, images and values.
 #include <QFileDialog>
 #include <QPainter>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window's scenes and sessions: what is opened, saved, dropped; what is asked before something is lost.
+// Opens and saves scenes and sessions, and asks before results are lost.
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
@@ -141,7 +141,7 @@ bool MainWindow::offerTurning()
 
 void MainWindow::saveQuietly(const QString& path)
 {
-  // What cannot be saved here is no reason to disturb.
+  // A failed automatic save does not interrupt the user.
   try
   {
     if (this->Bench.scene())

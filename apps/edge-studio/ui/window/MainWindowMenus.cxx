@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window's menus but that of files.
+// All menus of the window except File.
 #include <QAction>
 #include <QCoreApplication>
 #include <QDockWidget>
