@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "probe/MethodJobs.h"
 #include "probe/Probe.h"
-#include "vtkKalosEstimatorAlgorithm.h"
 
 namespace studio
 {
@@ -19,26 +19,8 @@ void LineProbe::start(const ScenePtr& scene, const ProbeLine& line, const Method
 {
   this->Line = line;
   this->Truth = scene->furnaceIlluminance();
-  const auto receivers = pointReceivers(line.points, line.normal);
-  QVector<RunQueue::Job> jobs;
-  if (!this->Truth)
-  {
-    MethodSettings reference = settings;
-    reference.method = vtkKalosEstimatorAlgorithm::COMPENSATED;
-    reference.trajectories *= 8;
-    reference.seconds *= 8;
-    reference.relativeError /= 3;
-    reference.seed = settings.seed + 1000;
-    jobs << RunQueue::Job{receivers, reference};
-  }
-  for (const Method& method : methods())
-  {
-    MethodSettings one = settings;
-    one.method = method.id;
-    one.seed = settings.seed + jobs.size();
-    jobs << RunQueue::Job{receivers, one};
-  }
-  this->Queue.start(scene, jobs);
+  const auto receivers = pointReceivers(line.points, QVector<Point>(line.points.size(), line.normal));
+  this->Queue.start(scene, methodJobs(settings, receivers, !this->Truth));
   emit this->changed();
 }
 

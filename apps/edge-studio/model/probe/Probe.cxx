@@ -40,7 +40,7 @@ void Probe::start(const ScenePtr& scene, const Pick& pick, const MethodSettings&
   this->Settings = settings;
   this->Steps.clear();
   this->Contributions.clear();
-  const auto receiver = pointReceivers(QVector<Point>(1, pick.position), pick.normal);
+  const auto receiver = pointReceivers({pick.position}, {pick.normal});
   QVector<RunQueue::Job> jobs;
   jobs << RunQueue::Job{receiver, settings};
   for (int i = 1; i <= batches; ++i)

@@ -85,24 +85,24 @@ std::optional<ProbeLine> lineAcrossEdge(const ScenePtr& scene, const Pick& pick)
   return line;
 }
 
-vtkSmartPointer<vtkPolyData> pointReceivers(const QVector<Point>& points, const Point& normal)
+vtkSmartPointer<vtkPolyData> pointReceivers(const QVector<Point>& points, const QVector<Point>& normals)
 {
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetNumberOfComponents(3);
-  normals->SetName("Normals");
+  vtkNew<vtkDoubleArray> directions;
+  directions->SetNumberOfComponents(3);
+  directions->SetName("Normals");
   vtkNew<vtkCellArray> vertices;
-  for (const Point& point : points)
+  for (int i = 0; i < points.size(); ++i)
   {
     vertices->InsertNextCell(1);
-    vertices->InsertCellPoint(places->InsertNextPoint(point.GetData()));
-    normals->InsertNextTuple(normal.GetData());
+    vertices->InsertCellPoint(places->InsertNextPoint(points[i].GetData()));
+    directions->InsertNextTuple(normals[i].GetData());
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(places);
   data->SetVerts(vertices);
-  data->GetPointData()->SetNormals(normals);
+  data->GetPointData()->SetNormals(directions);
   return data;
 }
 }  // namespace studio

@@ -36,8 +36,8 @@ struct ProbeLine
 /// on it.
 std::optional<ProbeLine> lineAcrossEdge(const ScenePtr& scene, const Pick& pick);
 
-/// Receivers with point normals, for vtkKalosIlluminance.
-vtkSmartPointer<vtkPolyData> pointReceivers(const QVector<Point>& points, const Point& normal);
+/// Receivers with a normal for each, for vtkKalosIlluminance.
+vtkSmartPointer<vtkPolyData> pointReceivers(const QVector<Point>& points, const QVector<Point>& normals);
 }  // namespace studio
 
 #endif

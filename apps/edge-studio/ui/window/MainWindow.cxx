@@ -9,6 +9,7 @@
 #include "common/Wording.h"
 #include "panels/ComparePanel.h"
 #include "panels/ImagePanel.h"
+#include "panels/LensPanel.h"
 #include "panels/MethodPanel.h"
 #include "panels/ProbePanel.h"
 #include "panels/ShowPanel.h"
@@ -78,10 +79,12 @@ void MainWindow::makePanels()
   tabs->setDocumentMode(true);
   tabs->addTab(probe, tr("Probe"));
   tabs->addTab(line, tr("Across an edge"));
+  auto* lens = new LensPanel(&this->Bench, this->View);
   this->Compare = new ComparePanel(&this->Bench);
   tabs->addTab(this->Compare, tr("Compare"));
   tabs->addTab(new StudyPanel(&this->Bench, this->View), tr("Study"));
   tabs->addTab(new SpeedPanel(&this->Bench), tr("Speed"));
+  tabs->addTab(lens, tr("Lens"));
   tabs->setMinimumWidth(400);
   auto* side = new QDockWidget(tr("Analysis"));
   side->setObjectName(QStringLiteral("studyDock"));
@@ -93,12 +96,13 @@ void MainWindow::makePanels()
   connect(this->View, &SceneView::picked, line, &LinePanel::aim);
   connect(probe, &ProbePanel::marked, this, [this](const auto& lines) { this->mark(0, lines); });
   connect(line, &LinePanel::marked, this, [this](const auto& lines) { this->mark(1, lines); });
+  connect(lens, &LensPanel::marked, this, [this](const auto& lines) { this->mark(2, lines); });
 }
 
 void MainWindow::mark(int kind, const QVector<QVector<Point>>& lines)
 {
   this->Marks[kind] = lines;
-  this->View->mark(this->Marks[0] + this->Marks[1]);
+  this->View->mark(this->Marks[0] + this->Marks[1] + this->Marks[2]);
 }
 
 void MainWindow::updatePicking()

@@ -77,7 +77,7 @@ private:
   LegendBar* Bar;
   Legend SceneLegend;
   ComparePanel* Compare;
-  std::array<QVector<QVector<Point>>, 2> Marks;  // of the probe and of the line
+  std::array<QVector<QVector<Point>>, 3> Marks;  // of the probe, of the line and of the lens
   QMenu *RecentMenu, *CameraMenu;
 };
 }  // namespace studio
