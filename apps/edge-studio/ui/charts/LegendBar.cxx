@@ -64,9 +64,10 @@ private:
   {
     this->Bar = this->Area.adjusted(1.6 * this->Line, 1.4 * this->Line, -1.6 * this->Line, 0);
     this->Bar.setHeight(12);
-    this->Painter.drawText(QRectF(this->Bar.left(), this->Area.top(), this->Bar.width(), 1.3 * this->Line),
-                           Qt::AlignLeft | Qt::AlignVCenter,
-                           this->Shown.title + QStringLiteral(", ") + this->Shown.unit);
+    this->Painter.drawText(
+        QRectF(this->Bar.left(), this->Area.top(), this->Bar.width(), 1.3 * this->Line),
+        Qt::AlignLeft | Qt::AlignVCenter,
+        this->Shown.unit.isEmpty() ? this->Shown.title : this->Shown.title + QStringLiteral(", ") + this->Shown.unit);
   }
 
   void bar()

@@ -61,7 +61,7 @@ void LensView::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.fillRect(this->rect(), Qt::white);
-  const double line = this->fontMetrics().lineSpacing(), names = 8 * line, right = this->width() - 0.5 * line,
+  const double line = this->fontMetrics().lineSpacing(), names = 9 * line, right = this->width() - 0.5 * line,
                height = (this->height() - 1.5 * line) / methods().size();
   const double step = (right - names) / (2 * LensGrid::columns);
   double top = 0;
@@ -76,16 +76,14 @@ void LensView::paintEvent(QPaintEvent*)
   }
   painter.drawLine(QPointF((names + right) / 2, 0), QPointF((names + right) / 2, top));
   for (int face = 0; face < 2; ++face)
-    for (int column : {0, 10, 20, 30, 40})
+    for (int column : {10, 30})
     {
       const double at =
           (face == 0 ? LensGrid::columns - 0.5 - column : LensGrid::columns + 0.5 + column) * step + names;
       const double metres = LensGrid::distance(column);
-      const QString text = metres < 0.0099 ? QStringLiteral("%1 mm").arg(1000 * metres, 0, 'g', 2)
-                           : metres < 0.99 ? QStringLiteral("%1 cm").arg(100 * metres, 0, 'g', 2)
-                                           : QStringLiteral("1 m");
-      if (column > 0)  // the edge is in the middle
-        painter.drawText(QRectF(at - 2 * line, top, 4 * line, 1.4 * line), Qt::AlignCenter, text);
+      const QString text = metres < 0.01 ? LensPanel::tr("%1 mm").arg(1000 * metres, 0, 'g', 2)
+                                         : LensPanel::tr("%1 cm").arg(100 * metres, 0, 'g', 2);
+      painter.drawText(QRectF(at - 2 * line, top, 4 * line, 1.4 * line), Qt::AlignCenter, text);
     }
 }
 
@@ -155,19 +153,30 @@ void LensPanel::choose(int row)
   this->Chosen = lensGrid(this->Bench->scene(), this->Pieces[row]);
   if (this->Chosen)
   {
-    // From between the two faces, so that both are seen.
-    const EdgePiece& edge = this->Chosen->edge;
-    const Point back = (this->Chosen->flanks[0].away + this->Chosen->flanks[1].away).Normalized(),
-                along = (edge.to - edge.from).Normalized();
-    const double away = std::max(1.2 * edge.length(), 0.1 * this->Bench->scene()->size());
-    CameraPreset camera;
-    camera.target = edge.middle();
-    camera.position = edge.middle() + away * (back + 0.2 * along);
-    camera.up = std::abs(along[2]) > 0.7 || std::abs(back[2]) < 0.9 ? Point(0, 0, 1) : Point(0, 1, 0);
-    this->View->look(camera);
-    emit this->marked({{edge.from, edge.to}});
+    this->lookAtEdge();
+    emit this->marked({{this->Chosen->edge.from, this->Chosen->edge.to}});
   }
   this->show();
+}
+
+// From between the two faces, so that both are seen; not from beyond a plane, which would hide them.
+void LensPanel::lookAtEdge()
+{
+  const EdgePiece& edge = this->Chosen->edge;
+  const ScenePtr& scene = this->Bench->scene();
+  const Point back = (this->Chosen->flanks[0].away + this->Chosen->flanks[1].away).Normalized(),
+              along = (edge.to - edge.from).Normalized(), way = (back + 0.2 * along).Normalized();
+  const double wanted = std::max(1.2 * edge.length(), 0.1 * scene->size());
+  const Point start = edge.middle() + 1e-3 * scene->size() * way;
+  double away = wanted;
+  for (const QString& set : scene->sets())
+    if (const auto hit = Picking(scene, {set}).first(start, edge.middle() + 1.1 * wanted * way))
+      away = std::min(away, 0.9 * (hit->position - edge.middle()).Norm());
+  CameraPreset camera;
+  camera.target = edge.middle();
+  camera.position = edge.middle() + away * way;
+  camera.up = std::abs(way[2]) < 0.95 ? Point(0, 0, 1) : Point(0, 1, 0);
+  this->View->look(camera);
 }
 
 void LensPanel::measure()

@@ -19,6 +19,8 @@ namespace studio
 /// One row for each method: the faces beside the edge unrolled, the edge in the middle, 1 m at the ends.
 class LensView : public QWidget
 {
+  Q_OBJECT
+
 public:
   explicit LensView(const EdgeLens* lens, QWidget* parent = nullptr);
 
@@ -46,6 +48,7 @@ signals:
 private:
   void listEdges();
   void choose(int row);
+  void lookAtEdge();
   void measure();
   void show();
 

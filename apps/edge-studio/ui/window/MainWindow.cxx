@@ -78,7 +78,7 @@ void MainWindow::makePanels()
   tabs->setObjectName(QStringLiteral("tabs"));
   tabs->setDocumentMode(true);
   tabs->addTab(probe, tr("Probe"));
-  tabs->addTab(line, tr("Across an edge"));
+  tabs->addTab(line, tr("Line"));
   auto* lens = new LensPanel(&this->Bench, this->View);
   this->Compare = new ComparePanel(&this->Bench);
   tabs->addTab(this->Compare, tr("Compare"));
