@@ -123,15 +123,18 @@ QVector<double> roundValues(const std::array<double, 2>& range, bool logarithmic
   if (logarithmic)
   {
     const double low = std::log10(range[0]), high = std::log10(range[1]);
-    for (int decade = static_cast<int>(std::floor(low)); decade <= high; ++decade)
-      for (double step : {1.0, 2.0, 5.0})
-      {
-        const double value = step * std::pow(10.0, decade);
-        const bool fits = step == 1.0 || 3 * (high - low) <= count || high - low < 2;
-        if (fits && value >= range[0] * (1 - 1e-9) && value <= range[1] * (1 + 1e-9))
-          values << value;
-      }
-    return values.size() > 2 ? values : roundValues(range, false, std::min(count, 4));
+    for (const bool between : {3 * (high - low) <= count, true})  // decades alone may be too few
+    {
+      values.clear();
+      for (int decade = static_cast<int>(std::floor(low)); decade <= high; ++decade)
+        for (double step : {1.0, 2.0, 5.0})
+          if (const double value = step * std::pow(10.0, decade);
+              (step == 1.0 || between) && value >= range[0] * (1 - 1e-9) && value <= range[1] * (1 + 1e-9))
+            values << value;
+      if (values.size() > 2)
+        return values;
+    }
+    return roundValues(range, false, std::min(count, 4));
   }
   const double raw = (range[1] - range[0]) / std::max(1, count);
   const double decade = std::pow(10.0, std::floor(std::log10(raw)));
