@@ -62,7 +62,7 @@ protected:
         return;
       *said = box->text() + QLatin1Char('\n') + box->informativeText();
       timer->deleteLater();
-      QTest::mouseClick(box->button(button), Qt::LeftButton);
+      box->button(button)->click();  // a click of the mouse is lost where the dialog is not exposed yet
     });
     timer->start(20);
     return said;
