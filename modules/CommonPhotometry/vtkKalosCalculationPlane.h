@@ -7,8 +7,8 @@
  * cell centres, row by row along U: cell j * Resolution[0] + i has its centre at
  * Origin + (i + 1/2) / Resolution[0] U + (j + 1/2) / Resolution[1] V.
  *
- * Output: vtkPolyData of quads with points of OutputPointsPrecision and the active cell normals "Normals": U x V normalised, or its
- * opposite with Flip on (the quads are then wound the other way too).
+ * Output: vtkPolyData of quads with points of OutputPointsPrecision and the active cell normals "Normals": U x V
+ * normalised, or its opposite with Flip on (the quads are then wound the other way too).
  *
  * | property   | unit | default           | allowed                                                       |
  * |------------|------|-------------------|---------------------------------------------------------------|

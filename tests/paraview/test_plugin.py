@@ -85,6 +85,7 @@ class Plugin(unittest.TestCase):
     def test_line_over_a_plane_at_any_height_is_full(self):
         for height in (0, 0.001, 0.75, 0.8):
             plane = pv.KalosCalculationPlane(Originm=[0, 0, height], Um=[5, 0, 0], Vm=[0, 4, 0])
+            plane.UpdatePipeline()
             line = pv.PlotOverLine(Input=plane, Point1=[0, 0, height], Point2=[5, 4, height], Resolution=100)
             line.UpdatePipeline()
             mask = servermanager.Fetch(line).GetPointData().GetArray("vtkValidPointMask")

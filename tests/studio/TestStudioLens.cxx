@@ -94,18 +94,24 @@ private slots:
     this->keep("24-lens-furnace");
   }
 
+  // What the README shows: the edge between floor and back wall, in a room that is lit.
   void lensOfTheDemoScene()
   {
     QVERIFY(this->Window->openFile(demoScene()));
-    this->Window->bench()->runUnasked();
+    Workbench* bench = this->Window->bench();
+    bench->setChosenSets({SceneDocument::paintedName()});
+    MethodSettings settings;
+    settings.trajectories = 2048;
+    bench->setSettings(settings);
+    bench->run();
+    QTRY_VERIFY_WITH_TIMEOUT(!bench->isRunning(), 100000);
     this->find<QTabWidget>("tabs")->setCurrentIndex(5);
     auto* edges = this->find<QListWidget>("lensEdges");
+    const QVector<EdgePiece> pieces = edgePieces(*bench->scene());
     for (int row = 0; row < edges->count(); ++row)
-      if (edges->item(row)->text().startsWith("Contact"))
-      {
+      if (const Point middle = pieces[row].middle(); middle[1] > 4.9 && middle[2] < 0.1)
         edges->setCurrentRow(row);
-        break;
-      }
+    QVERIFY(edges->currentRow() >= 0);
     this->find<QSlider>("lensEffort")->setValue(9);
     this->click("lensMeasure");
     auto* panel = this->Window->findChild<LensPanel*>();
