@@ -54,6 +54,22 @@ private slots:
     }
   }
 
+  void edgeInPiecesIsOneEdge()
+  {
+    QByteArray room = furnaceRoom();
+    for (const char* quad : {R"("quad": {"origin": [0,0,0], "u": [4,0,0], "v": [0,3,0]}, "material": "glow"},)",
+                             R"("quad": {"origin": [0,0,0], "u": [0,0,2.5], "v": [4,0,0]}, "material": "glow"},)"})
+      room.replace(quad, QByteArray(quad).replace("[4,0,0]", "[2,0,0]") + QByteArray("{\"name\": \"half ") +
+                             QByteArray::number(room.size()) + "\", " +
+                             QByteArray(quad).replace("[4,0,0]", "[2,0,0]").replace("[0,0,0]", "[2,0,0]"));
+    const QVector<EdgePiece> pieces =
+        edgePieces(*SceneDocument::open(writeFile(this->Folder.path(), "halves.json", room)));
+    QVERIFY(!pieces.isEmpty());
+    for (int i = 0; i < 2; ++i)
+      QVERIFY2(std::abs(pieces[i].length() - 4) < 1e-6, qPrintable(QString::number(pieces[i].length())));
+    QCOMPARE(pieces.size(), 12);
+  }
+
   void contactHasTheFloorOutsideOfTheBox()
   {
     const ScenePtr scene = SceneDocument::open(data("cornell/cornell.json"));
