@@ -76,6 +76,19 @@ ShowPanel::ShowPanel(Workbench* bench, QWidget* parent) : QWidget(parent), Bench
   checks->addWidget(this->Edges, 1, 0);
   checks->addWidget(this->Luminaires, 1, 1);
 
+  this->makeSets();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(10, 8, 10, 8);
+  layout->addLayout(form);
+  layout->addLayout(checks);
+  layout->addWidget(this->Sets, 1);
+
+  this->connectAll();
+  this->read();
+}
+
+void ShowPanel::makeSets()
+{
   this->Sets = new QTreeWidget;
   this->Sets->setObjectName(QStringLiteral("sets"));
   this->Sets->setHeaderLabels({tr("Points"), tr("Compute"), tr("Show")});
@@ -86,13 +99,10 @@ ShowPanel::ShowPanel(Workbench* bench, QWidget* parent) : QWidget(parent), Bench
   this->Sets->header()->setSectionResizeMode(showColumn, QHeaderView::ResizeToContents);
   this->Sets->header()->setStretchLastSection(false);
   this->Sets->setMinimumHeight(110);
+}
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(10, 8, 10, 8);
-  layout->addLayout(form);
-  layout->addLayout(checks);
-  layout->addWidget(this->Sets, 1);
-
+void ShowPanel::connectAll()
+{
   for (QComboBox* box : {this->QuantityBox, this->ScaleBox})
     connect(box, qOverload<int>(&QComboBox::activated), this, &ShowPanel::write);
   for (QCheckBox* box : {this->Automatic, this->Smooth, this->Isolines, this->Edges, this->Luminaires})
@@ -100,10 +110,9 @@ ShowPanel::ShowPanel(Workbench* bench, QWidget* parent) : QWidget(parent), Bench
   for (QDoubleSpinBox* box : {this->Low, this->High})
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ShowPanel::write);
   connect(this->Sets, &QTreeWidget::itemChanged, this, &ShowPanel::setToggled);
-  connect(bench, &Workbench::displayChanged, this, &ShowPanel::read);
-  connect(bench, &Workbench::resultsChanged, this, &ShowPanel::read);
-  connect(bench, &Workbench::sceneChanged, this, &ShowPanel::listSets);
-  this->read();
+  connect(this->Bench, &Workbench::displayChanged, this, &ShowPanel::read);
+  connect(this->Bench, &Workbench::resultsChanged, this, &ShowPanel::read);
+  connect(this->Bench, &Workbench::sceneChanged, this, &ShowPanel::listSets);
 }
 
 void ShowPanel::read()

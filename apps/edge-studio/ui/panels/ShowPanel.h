@@ -20,6 +20,8 @@ public:
   explicit ShowPanel(Workbench* bench, QWidget* parent = nullptr);
 
 private:
+  void makeSets();
+  void connectAll();
   void read();   // from the bench into the widgets
   void write();  // the other way
   void listSets();
