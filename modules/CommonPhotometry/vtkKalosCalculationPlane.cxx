@@ -22,7 +22,6 @@ bool allFinite(const double v[3])
 
 void fillPoints(vtkPoints* points, const double origin[3], const double u[3], const double v[3], const int n[2])
 {
-  points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(n[0] + 1) * (n[1] + 1));
   vtkIdType id = 0;
   for (int j = 0; j <= n[1]; ++j)
@@ -89,6 +88,7 @@ int vtkKalosCalculationPlane::RequestData(vtkInformation*, vtkInformationVector*
   }
 
   vtkNew<vtkPoints> points;
+  points->SetDataType(this->OutputPointsPrecision == SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE);
   fillPoints(points, this->Origin, u, v, n);
   vtkNew<vtkCellArray> quads;
   fillQuads(quads, n, this->Flip);
@@ -118,4 +118,5 @@ void vtkKalosCalculationPlane::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "V: " << this->V[0] << " " << this->V[1] << " " << this->V[2] << " m\n";
   os << indent << "Resolution: " << this->Resolution[0] << " x " << this->Resolution[1] << "\n";
   os << indent << "Flip: " << (this->Flip ? "on" : "off") << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

@@ -7,8 +7,8 @@
  * cell centres, row by row along U: cell j * Resolution[0] + i has its centre at
  * Origin + (i + 1/2) / Resolution[0] U + (j + 1/2) / Resolution[1] V.
  *
- * Output: vtkPolyData of quads with float64 points and the active cell normals "Normals": U x V normalised, or its
- * opposite with Flip on (the quads are then wound the other way too).
+ * Output: vtkPolyData of quads with points of OutputPointsPrecision and the active cell normals "Normals": U x V
+ * normalised, or its opposite with Flip on (the quads are then wound the other way too).
  *
  * | property   | unit | default           | allowed                                                       |
  * |------------|------|-------------------|---------------------------------------------------------------|
@@ -16,6 +16,7 @@
  * | U, V       | m    | x and y unit      | finite, not parallel, not zero                                |
  * | Resolution | 1    | 64 x 64           | each at least 1, product at most MaximumNumberOfCells()       |
  * | Flip       |      | off               | on or off                                                     |
+ * | OutputPointsPrecision | | DOUBLE_PRECISION | SINGLE_PRECISION or DOUBLE_PRECISION of vtkAlgorithm           |
  *
  * Errors: a parallelogram without area, a value that is not finite, or a resolution out of range give an error event
  * and an empty output.
@@ -64,6 +65,15 @@ public:
   vtkBooleanMacro(Flip, bool);
   ///@}
 
+  ///@{
+  /**
+   * vtkAlgorithm::DOUBLE_PRECISION or SINGLE_PRECISION. Filters that make points of their own in single precision, as
+   * ParaView's Plot Over Line does, find a plane at 0.8 m only in single precision, too.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
   /** Largest number of receivers that one plane may have. */
   static vtkIdType MaximumNumberOfCells() { return 100000000; }
 
@@ -78,6 +88,7 @@ protected:
   double V[3] = {0.0, 1.0, 0.0};
   int Resolution[2] = {64, 64};
   bool Flip = false;
+  int OutputPointsPrecision = DOUBLE_PRECISION;
 
 private:
   vtkKalosCalculationPlane(const vtkKalosCalculationPlane&) = delete;

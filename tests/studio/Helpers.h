@@ -22,7 +22,7 @@ inline QString writeFile(const QDir& folder, const QString& name, const QByteArr
   const QString path = folder.filePath(name);
   QFile file(path);
   if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
-    qFatal("%s can not be written", qPrintable(path));
+    qFatal("%s cannot be written", qPrintable(path));
   return path;
 }
 
@@ -39,7 +39,7 @@ inline void figure(const QString& what, double value, const char* unit, double g
   static QFile file(
       QStringLiteral(KALOS_FIGURES "/%1.txt").arg(QFileInfo(QCoreApplication::applicationFilePath()).baseName()));
   if (!file.isOpen() && !file.open(QIODevice::WriteOnly | QIODevice::Truncate))
-    qFatal("%s can not be written", qPrintable(file.fileName()));
+    qFatal("%s cannot be written", qPrintable(file.fileName()));
   double load = 0;
   getloadavg(&load, 1);
   const QString line = QStringLiteral("%1: %2 %3, goal %4 %3, load %5")

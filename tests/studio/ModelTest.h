@@ -6,9 +6,9 @@
 #include <QTemporaryDir>
 
 #include "Helpers.h"
-#include "MethodSettings.h"
-#include "Problem.h"
-#include "SceneDocument.h"
+#include "base/Problem.h"
+#include "results/MethodSettings.h"
+#include "scene/SceneDocument.h"
 
 class ModelTest : public QObject
 {

@@ -8,10 +8,10 @@
 #include <QTableWidget>
 #include <cmath>
 
-#include "ProbePanel.h"
-#include "Problem.h"
-#include "SpeedPanel.h"
 #include "WindowTest.h"
+#include "base/Problem.h"
+#include "panels/ProbePanel.h"
+#include "panels/SpeedPanel.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkKalosIlluminance.h"

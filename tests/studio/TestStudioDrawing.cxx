@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What Edge Studio draws into its scenes: luminaires with their photometric solids, edges and contacts by severity.
-#include "Colours.h"
-#include "EdgeLines.h"
-#include "LuminaireGlyphs.h"
 #include "ModelTest.h"
+#include "results/Colours.h"
+#include "view/EdgeLines.h"
+#include "view/LuminaireGlyphs.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkMath.h"

@@ -3,11 +3,11 @@
 #include <QComboBox>
 #include <QTabWidget>
 
-#include "Export.h"
-#include "ImagePanel.h"
-#include "Problem.h"
-#include "ToneMapping.h"
 #include "WindowTest.h"
+#include "base/Problem.h"
+#include "panels/ImagePanel.h"
+#include "results/Export.h"
+#include "results/ToneMapping.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkKalosEXRReader.h"

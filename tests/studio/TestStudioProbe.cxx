@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edge Studio's probes, without a widget: which point is picked, the line across an edge, convergence.
 #include "ModelTest.h"
-#include "Picking.h"
-#include "Probe.h"
+#include "probe/Probe.h"
+#include "scene/Picking.h"
 #include "vtkKalosIlluminance.h"
 
 using namespace studio;
@@ -40,6 +40,18 @@ private slots:
     for (int i = 0; i < line->points.size(); ++i)
       for (int axis = 0; axis < 3; ++axis)
         QVERIFY(std::abs(line->points[i][axis] - Point{line->distances[i], 1.3, 0}[axis]) < 1e-9);
+  }
+
+  void lineEndsWhereItsPlaneEnds()
+  {
+    const ScenePtr scene = SceneDocument::open(
+        writeFile(this->Folder.path(), "half.json",
+                  QByteArray(furnaceRoom())
+                      .replace(R"("u": [4,0,0], "v": [0,3,0], "res)", R"("u": [2,0,0], "v": [0,3,0], "res)")));
+    const auto line = lineAcrossEdge(scene, {{1, 1.5, 0.75}, {0, 0, 1}, "desk"});
+    QVERIFY(line);
+    QVERIFY2(line->distances.last() > 1.5 && line->distances.last() < 2.01,
+             qPrintable(QString::number(line->distances.last())));
   }
 
   void lineEndsWhereItsSurfaceEnds()

@@ -3,9 +3,9 @@
 #include <QElapsedTimer>
 #include <QSignalSpy>
 
-#include "DataSets.h"
 #include "ModelTest.h"
-#include "Workbench.h"
+#include "base/DataSets.h"
+#include "session/Workbench.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -97,6 +97,27 @@ private slots:
     QVERIFY(run.result()->trajectories > before->trajectories);
     // A busy machine may overrun the second asked for, but not the clock.
     QVERIFY2(run.result()->seconds < seconds(clock) - 1.5, "the pause is not part of the time");
+  }
+
+  void timeLeftIsThatOfTheLastStep()
+  {
+    const ScenePtr scene = SceneDocument::open(data("cornell/cornell.json"));
+    MethodSettings settings;
+    settings.goal = Goal::Time;
+    settings.seconds = 3;
+    Run run(scene, scene->receivers(scene->usualSets()), settings);
+    QVector<double> ends;  // s after the start, as they were foretold
+    connect(&run, &Run::progressed, this, [&] {
+      if (run.progress() > 0.4 && run.remaining())
+        ends << run.elapsed() + *run.remaining();
+    });
+    QSignalSpy ended(&run, &Run::ended);
+    QVERIFY(ended.wait(60000));
+    QVERIFY(!run.remaining());
+    QVERIFY(!ends.isEmpty());
+    for (const double end : ends)
+      QVERIFY2(std::abs(end - run.elapsed()) < 0.4 * run.elapsed(),
+               qPrintable(QStringLiteral("%1 s were foretold, it took %2 s").arg(end).arg(run.elapsed())));
   }
 
   void cancelIsQuickAndKeepsTheLastRound()

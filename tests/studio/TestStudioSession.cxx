@@ -4,10 +4,10 @@
 #include <QLineEdit>
 #include <QTableWidget>
 
-#include "Export.h"
-#include "Problem.h"
-#include "Session.h"
 #include "WindowTest.h"
+#include "base/Problem.h"
+#include "results/Export.h"
+#include "session/Session.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"

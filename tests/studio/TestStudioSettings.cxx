@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edge Studio's settings and the way results are shown: undo, JSON, ranges, photographs.
-#include "DataSets.h"
 #include "ModelTest.h"
-#include "ToneMapping.h"
-#include "Workbench.h"
+#include "base/DataSets.h"
+#include "results/ToneMapping.h"
+#include "session/Workbench.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -124,7 +124,7 @@ private slots:
     for (double shape : {0.5, 1.0, 2.0})
     {
       const CameraPreset camera = fitted(bounds, {0, 0, -1}, {0, 1, 0}, shape);
-      QCOMPARE(camera.target, (std::array<double, 3>{3, -0.5, 1.25}));
+      QVERIFY(camera.target == Point(3, -0.5, 1.25));
       // From above: what is nearest, 2.5 m high, touches a margin of 6 %.
       const double above = camera.position[2] - 2.5, least = std::tan(17.5 * M_PI / 180);
       const double across = 2 / (above * least * std::max(1.0, shape)),

@@ -2,9 +2,9 @@
 // Edge Studio's study, without a widget: its cells, what they are measured against, its runs and its JSON.
 #include <QJsonArray>
 
-#include "DataSets.h"
 #include "ModelTest.h"
-#include "Workbench.h"
+#include "base/DataSets.h"
+#include "session/Workbench.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkKalosArrayNames.h"
@@ -133,10 +133,10 @@ private slots:
     QJsonObject json = study.toJson();
     json["delta"] = QJsonArray{0.1, -1};
     QCOMPARE(problemOf([&] { Study::fromJson(json, "f: study"); }),
-             QStringLiteral("f: study/delta: has a wrong value, expected numbers from 0"));
+             QStringLiteral("f: study/delta: is [0.1,-1], expected an array of numbers from 0"));
     json["delta"] = QJsonArray();
     QCOMPARE(problemOf([&] { Study::fromJson(json, "f: study"); }),
-             QStringLiteral("f: study/delta: is empty, expected an array of numbers"));
+             QStringLiteral("f: study/delta: is [], expected an array of numbers from 0"));
   }
 };
 

@@ -9,9 +9,9 @@
 #include <malloc.h>
 #endif
 
-#include "Export.h"
-#include "Session.h"
 #include "WindowTest.h"
+#include "results/Export.h"
+#include "session/Session.h"
 #include "vtkDataArray.h"
 
 using namespace studio;
@@ -118,6 +118,7 @@ private slots:
         this->open();
       Workbench* bench = this->Window->bench();
       bench->setSettings(settings);
+      bench->markSaved();
       QVERIFY(this->Window->openFile(this->furnace()));
       bench->setChosenSets({"desk"});
       bench->run();
@@ -149,6 +150,7 @@ private slots:
     QCOMPARE(row.size(), 9);
     QCOMPARE(row[0], QByteArray("0.25"));
     QVERIFY(std::abs(row[6].toDouble() - 250) < 50);
+    this->Window->bench()->markSaved();
     QVERIFY(this->Window->openFile(session));
     QCOMPARE(this->Window->bench()->settings().delta, 0.125);
     QCOMPARE(this->find<QDoubleSpinBox>("delta")->text(), QStringLiteral("0.1250 m"));
@@ -164,8 +166,7 @@ int main(int argc, char* argv[])
   {
     prepareApplication();
     QApplication application(argc, argv);
-    dressApplication();
-    QStandardPaths::setTestModeEnabled(true);
+    prepareTest();
     dieWhileRunning(QString::fromLocal8Bit(argv[2]));
   }
   return runWindowTest<TestStudioSurvival>(argc, argv);

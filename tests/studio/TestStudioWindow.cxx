@@ -3,14 +3,15 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QSpinBox>
 #include <QTabWidget>
 
-#include "ProbePanel.h"
-#include "RecentFiles.h"
 #include "WindowTest.h"
+#include "panels/ProbePanel.h"
+#include "session/Preferences.h"
 #include "vtkInteractorObserver.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -222,6 +223,33 @@ private slots:
         keys << action->shortcut().toString();
     QVERIFY2(keys.size() > 12, qPrintable(keys.join(QLatin1Char(' '))));
     QCOMPARE(keys.removeDuplicates(), 0);
+  }
+
+  void arrowsTurnTheScene()
+  {
+    this->Window->openFile(this->furnace());
+    SceneView* view = this->Window->view();
+    auto distance = [&] { return (view->camera().position - view->camera().target).Norm(); };
+    const CameraPreset before = view->camera();
+    const double away = distance();
+    QTest::keyClick(view, Qt::Key_Left);
+    QVERIFY((view->camera().position - before.position).Norm() > 0.05 * away);
+    QVERIFY(std::abs(distance() / away - 1) < 1e-9);
+    QTest::keyClick(view, Qt::Key_Right);
+    QVERIFY((view->camera().position - before.position).Norm() < 1e-9 * away);
+    QTest::keyClick(view, Qt::Key_Plus);
+    QVERIFY(distance() < 0.95 * away);
+  }
+
+  void docksAreRemembered()
+  {
+    this->find<QDockWidget>("showDock")->close();
+    QVERIFY(this->Window->close());
+    this->init();
+    QVERIFY(!this->find<QDockWidget>("showDock")->isVisible());
+    this->find<QDockWidget>("showDock")->toggleViewAction()->trigger();
+    QVERIFY(this->find<QDockWidget>("showDock")->isVisible());
+    QVERIFY(this->Window->close());
   }
 
   void closingWhileRunningAsks()

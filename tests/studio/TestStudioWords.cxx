@@ -10,8 +10,8 @@
 #include <QTabWidget>
 #include <QTranslator>
 
-#include "ChartView.h"
 #include "WindowTest.h"
+#include "charts/ChartView.h"
 
 using namespace studio;
 

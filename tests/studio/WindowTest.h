@@ -7,12 +7,14 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
 
-#include "Application.h"
 #include "Helpers.h"
-#include "MainWindow.h"
+#include "session/Preferences.h"
+#include "window/Application.h"
+#include "window/MainWindow.h"
 
 class WindowTest : public QObject
 {
@@ -60,12 +62,22 @@ protected:
         return;
       *said = box->text() + QLatin1Char('\n') + box->informativeText();
       timer->deleteLater();
-      QTest::mouseClick(box->button(button), Qt::LeftButton);
+      box->button(button)->click();  // a click of the mouse is lost where the dialog is not exposed yet
     });
     timer->start(20);
     return said;
   }
 };
+
+/// As the program does it; with settings of its own, by which an opened scene stays dark until a test runs it.
+inline void prepareTest()
+{
+  static const QTemporaryDir settings;
+  studio::styleApplication();
+  QStandardPaths::setTestModeEnabled(true);
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  studio::setLightsOnOpening(false);
+}
 
 /// The main function of a test of the window.
 template <class Test>
@@ -73,8 +85,7 @@ int runWindowTest(int argc, char* argv[])
 {
   studio::prepareApplication();
   QApplication application(argc, argv);
-  studio::dressApplication();
-  QStandardPaths::setTestModeEnabled(true);
+  prepareTest();
   Test test;
   return QTest::qExec(&test, argc, argv);
 }
