@@ -59,8 +59,9 @@ double Pilot::densityIn(double cube, const std::vector<Collision>& inside)
     low = {std::min(low.x, c.position.x), std::min(low.y, c.position.y), std::min(low.z, c.position.z)};
     high = {std::max(high.x, c.position.x), std::max(high.y, c.position.y), std::max(high.z, c.position.z)};
   }
-  const double n = static_cast<double>(inside.size()), span = maxAbs(high - low) * (n + 1) / std::max(1.0, n - 1);
-  const double side = n < enough ? cube : std::clamp(span, 1e-6 * cube, cube);
+  const double count = static_cast<double>(inside.size());
+  const double span = maxAbs(high - low) * (count + 1) / std::max(1.0, count - 1);
+  const double side = inside.size() < enough ? cube : std::clamp(span, 1e-6 * cube, cube);
   // Surfaces of different orientation, by the main direction of their normals; each has about the area of a face.
   std::size_t facing[6] = {};
   for (const Collision& c : inside)
