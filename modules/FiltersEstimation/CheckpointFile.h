@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "estimator/Checkpoint.h"
+#include "estimator/solve/Checkpoint.h"
 
 class CheckpointFile : public kalos::CheckpointStore
 {

@@ -7,7 +7,7 @@
 #ifndef ControllerRanks_h
 #define ControllerRanks_h
 
-#include "estimator/Ranks.h"
+#include "estimator/control/Ranks.h"
 
 class vtkMultiProcessController;
 

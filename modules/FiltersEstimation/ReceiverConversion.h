@@ -5,7 +5,8 @@
 
 #include <vector>
 
-#include "estimator/Settings.h"
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
 
 class vtkDataObject;
 class vtkDataSet;

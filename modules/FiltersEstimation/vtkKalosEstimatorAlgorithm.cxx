@@ -3,7 +3,9 @@
 
 #include "CheckpointFile.h"
 #include "SceneConversion.h"
-#include "estimator/Savings.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
+#include "estimator/control/Techniques.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -89,7 +91,7 @@ kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings(const kalos::Ranks& ran
   settings.delta = this->Delta;
   settings.epsilon = this->Epsilon;
   if (this->Without)
-    kalos::switchOff(this->Without, settings);
+    kalos::disable(this->Without, settings);
   return settings;
 }
 

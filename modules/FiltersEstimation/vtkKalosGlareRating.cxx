@@ -6,7 +6,7 @@
 
 #include "ErrorCodes.h"
 #include "SceneConversion.h"
-#include "estimator/GlareRating.h"
+#include "estimator/quantities/GlareRating.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -5,13 +5,16 @@
 #include <array>
 #include <exception>
 #include <iterator>
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
 
 #include "CheckpointFile.h"
 #include "ControllerRanks.h"
 #include "ErrorCodes.h"
 #include "ReceiverConversion.h"
-#include "estimator/DarkReceivers.h"
-#include "estimator/Solver.h"
+#include "estimator/quantities/DarkReceivers.h"
+#include "estimator/solve/Solver.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataSet.h"

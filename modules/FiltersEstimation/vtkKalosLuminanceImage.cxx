@@ -7,7 +7,7 @@
 #include "CheckpointFile.h"
 #include "ControllerRanks.h"
 #include "ErrorCodes.h"
-#include "estimator/LuminanceImage.h"
+#include "estimator/quantities/LuminanceImage.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"

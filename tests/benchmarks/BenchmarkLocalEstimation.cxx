@@ -6,11 +6,13 @@
 
 #include <chrono>
 #include <functional>
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Settings.h"
 
 #include "Rooms.h"
-#include "estimator/PairKernel.h"
-#include "estimator/Solver.h"
-#include "estimator/Trajectories.h"
+#include "estimator/kernel/PairKernel.h"
+#include "estimator/solve/Solver.h"
+#include "estimator/tracing/Trajectories.h"
 
 using namespace kalos;
 

@@ -16,6 +16,9 @@ THIRD_PARTY = re.compile(r"^(embree\d*|CGAL|OpenMesh|OpenEXR|Imath|tbb|oneapi|nl
 
 # Rooms of a module, lowest first. A file includes from its own room and from lower ones.
 ROOMS = {
+    "modules/Kernels": ["geometry", "photometry", "sampling", "statistics", "material", "luminaire", "scene", "estimator"],
+    "modules/Kernels/estimator": ["control", "tracing", "kernel", "tally", "direct", "gathering", "methods", "solve",
+                                  "quantities"],
     "modules/IOPhotometry": ["base", "material", "mesh", "gltf", "model", "scene"],
 }
 
@@ -86,7 +89,7 @@ def test_the_order_of_rooms_catches(path, line, caught):
 @pytest.mark.parametrize("line, rule", [
     ('#include "vtkPolyData.h"', VTK_OR_QT.search), ("#include <QWidget>", VTK_OR_QT.search),
     ("# include <embree3/rtcore.h>", THIRD_PARTY.search), ("#include <tbb/parallel_for.h>", THIRD_PARTY.search),
-    ("#include <ImfHeader.h>", THIRD_PARTY.search), ('#include "estimator/Settings.h"', of_the_kernels)])
+    ("#include <ImfHeader.h>", THIRD_PARTY.search), ('#include "estimator/control/Settings.h"', of_the_kernels)])
 def test_the_rules_catch(line, rule):
     header, = includes(line)
     assert rule(header)

@@ -7,10 +7,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Settings.h"
 
 #include "../kernels/Rooms.h"
 #include "CheckpointFile.h"
-#include "estimator/Checkpoint.h"
+#include "estimator/methods/EstimatorFactory.h"
+#include "estimator/solve/Checkpoint.h"
 
 using namespace kalos;
 

@@ -5,8 +5,9 @@
 #define kalos_tests_Poses_h
 
 #include "Rooms.h"
-#include "estimator/LuminanceImage.h"
-#include "estimator/Solver.h"
+#include "estimator/control/Receivers.h"
+#include "estimator/quantities/LuminanceImage.h"
+#include "estimator/solve/Solver.h"
 #include "sampling/Random.h"
 
 namespace poses

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimator/Solver.h"
+#include "estimator/control/Result.h"
+#include "estimator/solve/Solver.h"
 #include "statistics/Replicates.h"
 
 namespace kalos

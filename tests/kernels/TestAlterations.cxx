@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
-#include "estimator/Clamped.h"
-#include "estimator/DiscAverage.h"
-#include "estimator/SphereAverage.h"
+#include "estimator/kernel/Clamped.h"
+#include "estimator/kernel/DiscAverage.h"
+#include "estimator/kernel/SphereAverage.h"
 #include "geometry/Polygon.h"
 
 using namespace kalos;

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
 
 #include "Rooms.h"
-#include "estimator/Checkpoint.h"
-#include "estimator/LuminanceImage.h"
-#include "estimator/Solver.h"
+#include "estimator/quantities/LuminanceImage.h"
+#include "estimator/solve/Checkpoint.h"
+#include "estimator/solve/Solver.h"
 
 using namespace kalos;
 

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
-#include "estimator/DarkReceivers.h"
-#include "estimator/Solver.h"
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
+#include "estimator/quantities/DarkReceivers.h"
+#include "estimator/solve/Solver.h"
 
 using namespace kalos;
 

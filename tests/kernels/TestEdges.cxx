@@ -5,8 +5,11 @@
 
 #include "Rooms.h"
 #include "Student.h"
-#include "estimator/Solver.h"
-#include "estimator/Trust.h"
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
+#include "estimator/solve/Solver.h"
+#include "estimator/tally/IntervalDiagnostics.h"
 #include "statistics/Replicates.h"
 
 using namespace kalos;

@@ -4,7 +4,10 @@
 
 #include "Rooms.h"
 #include "Student.h"
-#include "estimator/Solver.h"
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
+#include "estimator/solve/Solver.h"
 #include "sampling/Random.h"
 #include "sampling/Warp.h"
 

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
-#include "estimator/GatherPattern.h"
-#include "estimator/Solver.h"
-#include "estimator/SurfaceCache.h"
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
+#include "estimator/gathering/GatherHitGrid.h"
+#include "estimator/gathering/GatherPattern.h"
+#include "estimator/solve/Solver.h"
 
 using namespace kalos;
 
@@ -55,7 +58,7 @@ double worst(const Result& a, const Result& b, double allowed)
 }
 }  // namespace
 
-TEST(SurfaceCache, CellsFollowDistanceAndPlane)
+TEST(GatherHitGrid, CellsFollowDistanceAndPlane)
 {
   SceneDescription d;
   rooms::addQuad(d, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}, rooms::addMaterial(d, 0.5));
@@ -78,10 +81,10 @@ TEST(SurfaceCache, CellsFollowDistanceAndPlane)
 }
 
 // The representative of a cell is each of its hits equally often: 40 000 draws among 8, 5 standard deviations.
-TEST(SurfaceCache, RepresentativesAreDrawnUniformly)
+TEST(GatherHitGrid, RepresentativesAreDrawnUniformly)
 {
   int drawn[8] = {};
-  SurfaceCache cache;
+  GatherHitGrid cache;
   for (int c = 0; c < 40000; ++c)
     for (std::uint32_t i = 0; i < 8; ++i)
     {
@@ -90,7 +93,7 @@ TEST(SurfaceCache, RepresentativesAreDrawnUniformly)
       EXPECT_EQ(hit.cell, static_cast<std::uint64_t>(c));
     }
   ASSERT_EQ(cache.cells().size(), 40000u);
-  for (const SurfaceCache::Cell& cell : cache.cells())
+  for (const GatherHitGrid::Cell& cell : cache.cells())
   {
     EXPECT_EQ(cell.hits, 8);
     ++drawn[cell.representative.side];

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
-#include "estimator/GlareRating.h"
+#include "estimator/quantities/GlareRating.h"
 
 using kalos::GlareSum;
 using kalos::glareSum;

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
-#include "estimator/EffortPlan.h"
-#include "estimator/Solver.h"
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
+#include "estimator/solve/AdaptiveSampling.h"
+#include "estimator/solve/Solver.h"
 
 using namespace kalos;
 
@@ -95,14 +98,14 @@ TEST(Goal, EndsWhereHardlyAnyLightComes)
 
 // Distances of 0.55034 * 0.9 / 1 and 0.55034 * 0.9 / 0.5, and nothing in the dark: the mean square of all three,
 // neighbours of each other, times the pilot's trajectories.
-TEST(EffortPlan, NeedsAreTheSquaresOfDistancesAmongNeighbours)
+TEST(AdaptiveSampling, NeedsAreTheSquaresOfDistancesAmongNeighbours)
 {
   Settings s;
   s.relativeError = 0.01;
   s.errorFloor = 0.5;
   const Goal goal(s, replicates);
-  const long long n = EffortPlan::pilotTrajectories;
-  const EffortPlan plan(goal, alternating(0.9, n));
+  const long long n = AdaptiveSampling::pilotTrajectories;
+  const AdaptiveSampling plan(goal, alternating(0.9, n));
   const double first = 0.55034 * 0.9, second = 2 * first, needed = n * (first * first + second * second) / 3;
   for (const double each : plan.needed())
     EXPECT_NEAR(each, needed, 1e-3 * needed);
@@ -113,8 +116,8 @@ TEST(EffortPlan, NeedsAreTheSquaresOfDistancesAmongNeighbours)
   EXPECT_EQ(plan.resting(goal, alternating(0.9, enough - 2), enough - 2), (std::vector<char>{0, 0, 0}));
 }
 
-// Who rests keeps mean and error while the others' sums are divided by more and more trajectories.
-TEST(EffortPlan, RestingReceiversKeepTheirEstimates)
+// Who converged keeps mean and error while the others' sums are divided by more and more trajectories.
+TEST(AdaptiveSampling, RestingReceiversKeepTheirEstimates)
 {
   Tally tally = alternating(0.9);
   tally.noteScore(0, 0, 30);
@@ -134,7 +137,7 @@ TEST(EffortPlan, RestingReceiversKeepTheirEstimates)
 
 // 60 receivers, some beside a box and some in the open, to 1 %: the same values with less work, each within 10.4
 // standard errors (7 degrees of freedom: false alarm 6e-3 over all).
-TEST(EffortPlan, SavesWorkAndMovesNoValue)
+TEST(AdaptiveSampling, SavesWorkAndMovesNoValue)
 {
   SceneDescription room = rooms::litRoom(0.5);
   rooms::addBox(room, {1, 1, 0}, {1, 1.5, 2}, 0, false);

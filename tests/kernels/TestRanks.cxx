@@ -5,10 +5,13 @@
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
 
 #include "Rooms.h"
-#include "estimator/Ranks.h"
-#include "estimator/Solver.h"
+#include "estimator/control/Ranks.h"
+#include "estimator/solve/Solver.h"
 
 using namespace kalos;
 

@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
-#include "estimator/GatherWave.h"
-#include "estimator/Trajectories.h"
+#include "estimator/control/Settings.h"
+#include "estimator/gathering/WavefrontGather.h"
+#include "estimator/tracing/Trajectories.h"
 #include "sampling/Warp.h"
 #include "scene/RayBatch.h"
 
@@ -28,7 +29,7 @@ TEST(RayBatch, FirstHitsAreThoseOfSingleRays)
 {
   const Scene scene(rooms::furnishedRoom(0.6));
   const VertexSet from = places(scene, 20000);
-  std::vector<RayOnItsWay> rays;
+  std::vector<PathRay> rays;
   SampleStream random = stream(0);
   for (std::size_t i = 0; i < from.size(); ++i)
   {
@@ -38,7 +39,7 @@ TEST(RayBatch, FirstHitsAreThoseOfSingleRays)
   }
   traceTogether(scene, rays);
   int different = 0;
-  for (const RayOnItsWay& ray : rays)
+  for (const PathRay& ray : rays)
   {
     const SurfacePoint alone = scene.trace(ray.start, ray.direction);
     ASSERT_TRUE(ray.end.valid && alone.valid);
@@ -84,11 +85,11 @@ TEST(RayBatch, NearSurfacesAreMetAsAlone)
   rooms::addQuad(d, {2, 2, gap}, {0, 1, 0}, {1, 0, 0}, 0);  // over the floor
   const Scene scene(d);
   const Vec3 up{0, 0, 1}, p = Vec3{2.5, 2.5, 0} - scene.origin();
-  std::vector<RayOnItsWay> rays;
+  std::vector<PathRay> rays;
   for (double x = -0.9; x < 1; x += 0.1)
     rays.push_back({scene.anchor(p, up), normalized({x, 0.3, 1}), false, {}});
   traceTogether(scene, rays);
-  for (const RayOnItsWay& ray : rays)
+  for (const PathRay& ray : rays)
   {
     const SurfacePoint alone = scene.trace(ray.start, ray.direction);
     EXPECT_EQ(ray.end.triangle, alone.triangle);
@@ -109,7 +110,7 @@ TEST(RayBatch, AloneTheyStayInTheNarrowestGap)
   const Vec3 up{0, 0, 1}, p = Vec3{2.5, 2.5, 0} - scene.origin();
   ASSERT_GT(length(scene.anchor(p, up).lifted() - p), gap);
   ASSERT_TRUE(isInGap(scene, scene.anchor(p, up)));
-  std::vector<RayOnItsWay> rays{{scene.anchor(p, up), normalized({0, 0.2, 1}), true, {}}};
+  std::vector<PathRay> rays{{scene.anchor(p, up), normalized({0, 0.2, 1}), true, {}}};
   traceTogether(scene, rays);
   EXPECT_NEAR(rays[0].end.position.z - p.z, gap, 1e-9);
   std::vector<ShadowRay> shadows{{scene.anchor(p, up), scene.anchor(p + Vec3{0, 0, 5}, -up), true}};
@@ -118,7 +119,7 @@ TEST(RayBatch, AloneTheyStayInTheNarrowestGap)
 }
 
 // A gather ray finds the same whoever is under way with it: replays and tiles rely on it.
-TEST(GatherWave, RaysDoNotDependOnEachOther)
+TEST(WavefrontGather, RaysDoNotDependOnEachOther)
 {
   SceneDescription d = rooms::furnishedRoom(0.6);
   d.materials[0].specular = 0.2;
@@ -126,13 +127,13 @@ TEST(GatherWave, RaysDoNotDependOnEachOther)
   const Scene scene(d);
   const Emission emission(scene);
   const Settings settings;
-  const Gathering gathering(scene, emission, settings, true);
-  VertexPool vertices = traceTrajectories(scene, emission, {}, 0, 0, 500);
+  const GatherContext gathering(scene, emission, settings, true);
+  LightVertices vertices = traceTrajectories(scene, emission, {}, 0, 0, 500);
   gathering.pilot().annotate(vertices);
   const GatherPool pool{&vertices, 500};
   const VertexSet at = places(Scene(rooms::furnishedRoom(0.6)), 60);
-  GatherWave all(gathering, pool);
-  auto add = [&](GatherWave& wave, std::size_t i) {
+  WavefrontGather all(gathering, pool);
+  auto add = [&](WavefrontGather& wave, std::size_t i) {
     const Sensor sensor(placeReceiver(scene, at.position(i), at.normal(i)));
     return i % 3 ? wave.gather(sensor, {0.05, true}, stream(i)) : wave.indirectLight(sensor, false, stream(i));
   };
@@ -140,7 +141,7 @@ TEST(GatherWave, RaysDoNotDependOnEachOther)
     EXPECT_EQ(add(all, i), i);
   all.run();
   double sum = 0;
-  GatherWave one(gathering, pool);
+  WavefrontGather one(gathering, pool);
   for (std::size_t i = 0; i < at.size(); ++i)
   {
     one.clear();

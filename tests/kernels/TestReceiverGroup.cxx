@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "Rooms.h"
-#include "estimator/ReceiverGroup.h"
+#include "estimator/gathering/ReceiverGroup.h"
 
 using namespace kalos;
 

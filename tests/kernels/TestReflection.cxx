@@ -4,8 +4,11 @@
 
 #include "Rooms.h"
 #include "Student.h"
-#include "estimator/LuminanceImage.h"
-#include "estimator/Solver.h"
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
+#include "estimator/quantities/LuminanceImage.h"
+#include "estimator/solve/Solver.h"
 #include "geometry/Polygon.h"
 
 using namespace kalos;

@@ -5,7 +5,10 @@
 
 #include "Poses.h"
 #include "Student.h"
-#include "estimator/PairKernel.h"
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
+#include "estimator/kernel/PairKernel.h"
 #include "sampling/Warp.h"
 #include "scene/RayBatch.h"
 

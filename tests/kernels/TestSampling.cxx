@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <vector>
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
 
 #include "Rooms.h"
 #include "Student.h"
-#include "estimator/Solver.h"
+#include "estimator/solve/Solver.h"
 #include "sampling/SampleStream.h"
 
 using namespace kalos;

@@ -2,11 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <thread>
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
 
 #include "Rooms.h"
 #include "Student.h"
-#include "estimator/LuminanceImage.h"
-#include "estimator/Solver.h"
+#include "estimator/quantities/LuminanceImage.h"
+#include "estimator/solve/Solver.h"
 #include "statistics/Replicates.h"
 
 using namespace kalos;

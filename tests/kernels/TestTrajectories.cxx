@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
-#include "estimator/PairKernel.h"
-#include "estimator/Trajectories.h"
+#include "estimator/kernel/PairKernel.h"
+#include "estimator/tracing/Trajectories.h"
 #include "sampling/Warp.h"
 
 using namespace kalos;
@@ -17,7 +17,7 @@ TEST(Trajectories, LengthIsNotLimited)
     const Scene scene(rooms::litRoom(rho));
     const Emission emission(scene);
     const int count = 20000;
-    const VertexPool chunk = traceTrajectories(scene, emission, {}, 0, 0, count);
+    const LightVertices chunk = traceTrajectories(scene, emission, {}, 0, 0, count);
     const double mean = double(chunk.reflected.size()) / count;
     const double error = std::sqrt(rho) / (1 - rho) / std::sqrt(double(count));
     EXPECT_LT(std::abs(mean - 1 / (1 - rho)), 4.4 * error) << "rho " << rho;
@@ -111,7 +111,7 @@ TEST(PairKernel, AgreesWithTheFormula)
 }
 
 // Down to a distance of 1e-6 m and beyond the scene, in both forms and for tiles that are no whole number of lanes: as
-// exact as estimator/VectorKernel.h says, against double precision at the same vertices.
+// exact as estimator/kernel/VectorKernel.h says, against double precision at the same vertices.
 TEST(VectorKernel, IsExactAtEveryDistance)
 {
   const Scene scene(rooms::furnace(0.6, 0));

@@ -5,10 +5,10 @@
 #include <iostream>
 
 #include "Rooms.h"
-#include "estimator/PickedScores.h"
-#include "estimator/Trajectories.h"
-#include "estimator/VertexOrder.h"
-#include "estimator/VertexRound.h"
+#include "estimator/kernel/VertexResampling.h"
+#include "estimator/tracing/Trajectories.h"
+#include "estimator/tracing/VertexOrder.h"
+#include "estimator/tracing/VertexRound.h"
 
 using namespace kalos;
 
@@ -142,7 +142,7 @@ TEST(VertexOrder, PicksVaryLess)
       for (int i = 0; i < times; ++i)
       {
         double e = 0;
-        addPickedScores(v, t * size, size, sensor, 0, {&scene.rays(), 32, random.next()}, &e);
+        addResampledScores(v, t * size, size, sensor, 0, {&scene.rays(), 32, random.next()}, &e);
         sum += e / times;
         squares += e * e / times;
       }
@@ -163,8 +163,8 @@ TEST(VertexOrder, RoundsAreSpreadWhereWalksAreStratified)
   Workers workers(1, {}, alone);
   for (const Sampling sampling : {Sampling::Sobol, Sampling::Independent})
   {
-    const std::vector<VertexPool> pools = traceRound(scene, emission, {1, sampling}, 2, 0, 600, workers);
-    for (const VertexPool& pool : pools)
+    const std::vector<LightVertices> pools = traceRound(scene, emission, {1, sampling}, 2, 0, 600, workers);
+    for (const LightVertices& pool : pools)
     {
       ASSERT_GT(pool.reflected.size(), 512u);
       EXPECT_EQ(overlaps(pool.reflected, 0, 512), sampling == Sampling::Sobol ? 0 : lanes * (lanes - 1) / 2);

@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "Poses.h"
-#include "estimator/Trajectories.h"
-#include "estimator/VisibilityCheck.h"
+#include "estimator/control/Result.h"
+#include "estimator/tracing/Trajectories.h"
+#include "estimator/tracing/VisibilityCheck.h"
 
 using namespace poses;
 
@@ -27,7 +28,7 @@ TEST(VisibilityCheck, FindsNothingInASoundScene)
   Pose pose;
   pose.axes = randomAxes(3);
   const Scene scene(posed(tiltedRoom(0.6), pose));
-  VertexPool pool = traceTrajectories(scene, Emission(scene), {}, 0, 0, 40000);
+  LightVertices pool = traceTrajectories(scene, Emission(scene), {}, 0, 0, 40000);
   EXPECT_GT(pool.energy.checked(0), 7000);
   EXPECT_LT(pool.energy.unseen(0), 2e-4 * pool.energy.checked(0));
   EXPECT_TRUE(warnings(scene, pool.energy).empty());

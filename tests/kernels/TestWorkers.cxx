@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "estimator/Workers.h"
+#include "estimator/control/Workers.h"
 
 using namespace kalos;
 

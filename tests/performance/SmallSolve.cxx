@@ -4,9 +4,11 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Settings.h"
 
 #include "Rooms.h"
-#include "estimator/Solver.h"
+#include "estimator/solve/Solver.h"
 
 int main(int count, char** arguments)
 {

@@ -17,13 +17,13 @@ struct Packet
 };
 
 // Ends the rays of a packet, but for those that single precision can not decide.
-void trace(const Scene& scene, Packet& packet, std::vector<RayOnItsWay>& rays)
+void trace(const Scene& scene, Packet& packet, std::vector<PathRay>& rays)
 {
   HitPacket hits;
   scene.rays().intersect(packet.segments, packet.count, hits);
   for (int i = 0; i < packet.count; ++i)
   {
-    RayOnItsWay& ray = rays[packet.ray[i]];
+    PathRay& ray = rays[packet.ray[i]];
     const auto distance = static_cast<double>(hits.distance[i]);
     // What meets nothing may have slipped between two triangles.
     if (hits.triangle[i] == HitPacket::noTriangle || !isFarFrom(ray.start, distance * distance))
@@ -69,7 +69,7 @@ bool isInGap(const Scene& scene, const RayAnchor& anchor)
   return y.valid && !isFarFrom(anchor, dot(d, d));
 }
 
-void traceTogether(const Scene& scene, std::vector<RayOnItsWay>& rays)
+void traceTogether(const Scene& scene, std::vector<PathRay>& rays)
 {
   Packet packet;
   for (std::size_t i = 0; i < rays.size(); ++i)

@@ -25,7 +25,7 @@ bool crowds(const RayAnchor& start, double squaredDistance);
 /// surface might lie beyond the other.
 bool isInGap(const Scene& scene, const RayAnchor& anchor);
 
-struct RayOnItsWay
+struct PathRay
 {
   RayAnchor start;
   Vec3 direction;  ///< unit
@@ -34,7 +34,7 @@ struct RayOnItsWay
 };
 
 /// Finds where each of the rays ends, as Scene::trace() does.
-void traceTogether(const Scene& scene, std::vector<RayOnItsWay>& rays);
+void traceTogether(const Scene& scene, std::vector<PathRay>& rays);
 
 struct ShadowRay
 {

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The illuminance that comes straight from luminaires and emitting meshes, apart from all reflections.
+#ifndef kalos_estimator_direct_DirectLight_h
+#define kalos_estimator_direct_DirectLight_h
+
+#include <array>
+#include <vector>
+
+#include "estimator/direct/LightSampler.h"
+#include "geometry/Polygon.h"
+#include "sampling/SampleStream.h"
+
+namespace kalos
+{
+/// Point luminaires: E = I(omega) cos(theta) V / d^2, deterministic. So are luminous openings of measured luminaires
+/// for sensors that are not near (see isNear); near by they are areas of luminance I(omega) / (A cos(theta')), with A
+/// the opening's area, and wholly sampled.
+///
+/// Rectangles and emitting triangles: E = beta U + mean of w (V - beta). U = sum of M_k F_k is the closed form of
+/// Lambert's polygon, unshadowed; a sample draws an emitter in proportion to its luminous M_k F_k and a direction
+/// uniform in its solid angle, w is its unshadowed score and V its visibility; beta is the visible share, from samples
+/// used nowhere else. So there is no spike where a lamp touches the receiver, no variance where all or nothing is
+/// visible, and no bias.
+class DirectLight
+{
+public:
+  /// `withMeshes` false leaves emitting triangles to the vertices of the trajectories (when there are very many).
+  /// `shadows` false: nothing can occlude.
+  DirectLight(const Scene& scene, bool withMeshes, bool shadows);
+
+  /// What one receiver sees of the emitters; reused for all its samples.
+  struct View
+  {
+    Bands points{};                  ///< lx, of the point luminaires, shadows included
+    Bands areas{};                   ///< U, lx, unshadowed
+    double visibleShare = 1;         ///< beta; to be set by the caller where surfaces may occlude
+    std::vector<double> cumulative;  ///< what area emitters are drawn in proportion to, up to and including emitter i
+  };
+  void look(const Sensor& sensor, View& view) const;
+
+  /// One sample of the area emitters: w (lx per band). Returns V - beta, or V for an opening, which U does not hold.
+  double sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const;
+
+  /// One sample of all direct light at the sensor, weighted by its response, with a single shadow ray: an emitter is
+  /// drawn about in proportion to what it would send to a Lambertian sensor, were nothing in between (LightSampler).
+  /// At a glossy sensor a direction drawn from its lobe shares with the areas (balance heuristic), for lobes that are
+  /// narrower than a lamp. Unbiased; for the vertices that gather rays find and for glossy sensors. Of luminaires only,
+  /// without meshes.
+  Bands sample(const Sensor& sensor, SampleStream& random) const;
+
+  /// What sample() adds if nothing hides its target; false when that is nothing whatever is seen.
+  struct Sample
+  {
+    RayAnchor target;
+    Bands light;  ///< lx per band, weighted by the sensor's response
+  };
+  /// The same without the shadow ray; what a lobe's sample found, with shadow rays of its own, is added to `known`.
+  bool propose(const Sensor& sensor, SampleStream& random, Sample& sample, Bands& known) const;
+
+  /// The same at `count` <= SegmentPacket::width sensors without BRDF, their shadow rays in one packet, in single
+  /// precision: for sensors that are seen from so far that none matters which lies in a narrower gap.
+  void sample(const Sensor* sensors, int count, SampleStream& random, Bands* light) const;
+
+  /// Adds throughput times the exitance of every luminous rectangle that a ray from a mirror passes through before it
+  /// ends at y.
+  void addSeen(const Vec3& origin, const Vec3& direction, const SurfacePoint& y, const Bands& throughput,
+               double* sum) const;
+
+  /// Whether samples add to what look() finds: something may hide area emitters, or openings are near.
+  bool hasOpenings() const { return this->HasOpenings; }
+  bool fluctuates() const { return this->HasOpenings || (this->Shadows && !this->Areas.empty()); }
+
+private:
+  struct Area
+  {
+    Vec3 corner[4];
+    int count;                           // corners, 3 or 4
+    Vec3 normal;                         // light leaves on this side
+    Bands exitance;                      // lm/m2
+    const Luminaire* opening = nullptr;  // of a measured distribution; null: Lambertian
+    RayAnchor anchor;                    // of one of its points
+  };
+
+  double pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const;  // unshadowed, lx; 0 for areas
+  bool shinesAt(const Area& area, const Sensor& sensor) const;        // as an area, from the side that is lit
+  double formFactor(const Area& area, const Sensor& sensor) const;    // unshadowed, 0 where it does not shine
+  void weigh(const Sensor& sensor, LuminaireWeights& weights) const;  // of luminaires, by which sample() draws
+
+  // A point of an area emitter, seen from the sensor in a direction uniform in solid angle; from afar, and without
+  // BRDF, uniform on the area, which costs a tenth.
+  struct AreaSample
+  {
+    Vec3 direction;
+    RayAnchor target;
+    double solidAngle;  // sr, of the emitter; or what stands for it, one over the direction's density
+  };
+  Bands exitanceTowards(const Area& area, const Vec3& fromSensor) const;  // pi times the luminance, lm/m2
+  // Triangles whose solid angles, seen from a point, make up an area's.
+  struct Parts
+  {
+    std::array<SphericalTriangle, 4> triangle;
+    int count = 0;
+
+    void add(const SphericalTriangle& t) { this->triangle[static_cast<std::size_t>(this->count++)] = t; }
+    const SphericalTriangle* begin() const { return this->triangle.data(); }
+    const SphericalTriangle* end() const { return this->triangle.data() + this->count; }
+  };
+  static Parts parts(const Area& area, const Vec3& from);
+  static double solidAngle(const Area& area, const Vec3& from);  // sr
+  static RayAnchor anchorOn(const Area& area, const Vec3& p, bool behind);
+  static bool meets(const Area& area, const Vec3& origin, const Vec3& direction, double& distance);  // on a lit side
+  // What sample() finds at the sensor if nothing hides it: false when that is nothing. A lobe's sample goes to `lobe`.
+  bool aim(const Sensor& sensor, SampleStream& random, AreaSample& sample, Bands& arriving, Bands& lobe) const;
+  void sampleLobe(const Sensor& sensor, SampleStream& random, const LuminaireWeights& weights, Bands& sum) const;
+  static bool isAfar(const Area& area, const Vec3& p);
+  bool samplePoint(const Area& area, const Sensor& sensor, double u1, double u2, AreaSample& sample) const;
+  // False when the emitter is not seen there.
+  bool sampleArea(const Area& area, const Sensor& sensor, double u1, double u2, double u3, AreaSample& sample) const;
+
+  static constexpr std::size_t noArea = ~std::size_t{0};
+
+  const Scene& Scene_;
+  bool Shadows;
+  bool HasOpenings = false;
+  std::vector<Area> Areas;
+  std::vector<std::size_t> LuminaireOf, AreaOf;  // of an area that is none of a mesh; of a luminaire, or noArea
+  LightSampler Choice;
+};
+}  // namespace kalos
+
+#endif

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/direct/ReceiverDirectLight.h"
+
+#include <iomanip>
+#include <sstream>
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
+
+#include "estimator/tracing/VertexRound.h"
+#include "scene/RayBatch.h"
+
+namespace kalos
+{
+namespace
+{
+constexpr int pilotSamples = 16;                // of area emitters, to see how much of them is visible
+constexpr std::size_t steadyAround = 2;         // receivers before and after, which see all or nothing as well
+constexpr int steadySaving = 8;                 // times fewer samples where nothing suggests that shadows fall
+constexpr std::size_t largestViews = 1u << 24;  // unshadowed illuminances kept, receivers times emitters: 128 MB
+constexpr std::uint32_t largestExact = 4096;    // emitting triangles served by closed forms
+
+std::vector<Vec3> inScene(const Scene& scene, const std::vector<Vec3>& points)
+{
+  std::vector<Vec3> moved;
+  moved.reserve(points.size());
+  for (const Vec3& p : points)
+    moved.push_back(p - scene.origin());
+  return moved;
+}
+
+Audit auditFor(const Scene& scene, const Receivers& receivers, const Settings& settings)
+{
+  Audit found = auditScene(scene, inScene(scene, receivers.points));
+  found.unoccluded = found.unoccluded && !settings.shadowConvexRooms;
+  return found;
+}
+}  // namespace
+
+ReceiverDirectLight::ReceiverDirectLight(const Scene& scene, const Receivers& receivers, const Settings& settings,
+                                         int trajectoriesPerSample)
+    : Scene_(scene),
+      PerSample(trajectoriesPerSample),
+      Drawn(settings.walks()),
+      Sampled(settings.sampleDirect),
+      Found(auditFor(scene, receivers, settings)),
+      ClosedForms(!this->Sampled && this->Found.emittingTriangles <= largestExact &&
+                  this->Found.emittingTriangles * receivers.points.size() <= largestViews),
+      Exact(scene, this->ClosedForms, this->shadows() || this->Sampled),
+      Luminaires(scene, false, this->shadows() || this->Sampled),
+      Mirrored(scene)
+{
+  this->Sensors.reserve(receivers.points.size());
+  for (std::size_t i = 0; i < receivers.points.size(); ++i)
+  {
+    const Vec3& n = receivers.normals[i];
+    Sensor sensor(placeReceiver(scene, receivers.points[i] - scene.origin(), n));
+    if (i < receivers.brdfs.size() && receivers.brdfs[i])
+    {
+      sensor.brdf = receivers.brdfs[i];
+      sensor.outgoing = receivers.outgoing[i];
+      sensor.followsMirror = receivers.followsMirror[i];
+    }
+    this->Sensors.push_back(sensor);
+  }
+}
+
+bool ReceiverDirectLight::prepare(Workers& workers, Tally& tally)
+{
+  const bool looked = workers.forEach(tileCount(this->Sensors.size()), [&](std::size_t tile) {
+    for (std::size_t r = tile * tileSize; r < std::min(this->Sensors.size(), (tile + 1) * tileSize); ++r)
+      this->Sensors[r].doublePrecision = isInGap(this->Scene_, this->Sensors[r].anchor);
+  });
+  if (!looked)
+    return false;
+  this->Views.resize(this->Sensors.size());
+  return workers.forEach(tileCount(this->Sensors.size()), [&](std::size_t tile) {
+    const std::size_t end = std::min(this->Sensors.size(), (tile + 1) * tileSize);
+    for (std::size_t r = tile * tileSize; r < end; ++r)
+    {
+      const Bands mirrored = this->Mirrored.any() ? this->Mirrored.illuminance(this->Sensors[r]) : Bands{};
+      std::copy_n(mirrored.begin(), tally.bands(), tally.fixed(r));
+      if (this->Sensors[r].brdf)
+        continue;
+      DirectLight::View& view = this->Views[r];
+      this->direct().look(this->Sensors[r], view);
+      this->measureVisibility(r);
+      for (int b = 0; b < tally.bands(); ++b)
+        tally.fixed(r)[b] += view.points[b] + view.visibleShare * view.areas[b];
+    }
+  });
+}
+
+void ReceiverDirectLight::measureVisibility(std::size_t r)
+{
+  if (this->Sampled)
+    this->Views[r].visibleShare = 0;
+  if (this->Sampled || !this->direct().fluctuates())
+    return;
+  const Walks walks = this->Drawn.ofReceiver(r);
+  DirectLight::View& view = this->Views[r];
+  view.visibleShare = 0;
+  double visible = 0;
+  Bands w;
+  for (int s = 0; s < pilotSamples; ++s)
+  {
+    SampleStream random = walks.stream(pilotReplicate, Purpose::DirectLight, s);
+    visible += this->direct().sampleAreas(this->Sensors[r], view, random, w);
+  }
+  view.visibleShare = visible / pilotSamples;
+}
+
+bool ReceiverDirectLight::isSteady(std::size_t r) const
+{
+  if (this->Sampled || this->direct().hasOpenings())
+    return false;
+  const double share = this->Views[r].visibleShare;
+  const std::size_t end = std::min(this->Views.size(), r + steadyAround + 1);
+  for (std::size_t i = r - std::min(r, steadyAround); i < end; ++i)
+    if (this->Views[i].visibleShare != share)
+      return false;
+  return share == 0 || share == 1;
+}
+
+Bands ReceiverDirectLight::fluctuation(std::size_t r, int replicate, long long first, int count) const
+{
+  const Sensor& sensor = this->Sensors[r];
+  if (!sensor.brdf && !this->direct().fluctuates())
+    return {};
+  const int each = this->PerSample * (sensor.brdf || !this->isSteady(r) ? 1 : steadySaving);
+  const int samples = (count + each - 1) / each;
+  const Walks walks = this->Drawn.ofReceiver(r);
+  Bands sum{};
+  for (int s = 0; s < samples; ++s)
+  {
+    SampleStream random = walks.stream(replicate, Purpose::DirectLight, first + s);
+    Bands light;
+    double excess = 1;
+    if (sensor.brdf)
+      light = this->Luminaires.sample(sensor, random);
+    else
+      excess = this->direct().sampleAreas(sensor, this->Views[r], random, light);
+    for (int b = 0; b < this->Scene_.bands(); ++b)
+      sum[b] += light[b] * excess;
+  }
+  for (int b = 0; b < this->Scene_.bands(); ++b)
+    sum[b] *= static_cast<double>(count) / samples;
+  return sum;
+}
+
+void ReceiverDirectLight::score(std::size_t r, int replicate, long long first, int count, Tally& tally) const
+{
+  if (tally.converged(r))
+    return;
+  const Bands light = this->fluctuation(r, replicate, first, count);
+  for (int b = 0; b < tally.bands(); ++b)
+  {
+    tally.total(r, replicate)[b] += light[b];
+    tally.direct(r, replicate)[b] += light[b];
+  }
+}
+
+bool ReceiverDirectLight::scoreAll(long long first, int count, Workers& workers, Tally& tally) const
+{
+  return workers.forEachReplicate(
+      tally.replicates(), tileCount(tally.receivers()), [&](int replicate, std::size_t tile) {
+        for (std::size_t r = tile * tileSize; r < std::min(tally.receivers(), (tile + 1) * tileSize); ++r)
+          this->score(r, replicate, first, count, tally);
+      });
+}
+
+AuditLine ReceiverDirectLight::auditOpenings() const
+{
+  std::size_t openings = 0, areas = 0;
+  std::vector<char> near(this->Sensors.size(), 0);
+  for (const Luminaire& l : this->Scene_.data().luminaires)
+  {
+    if (!l.isOpening())
+      continue;
+    bool area = false;
+    for (std::size_t r = 0; r < this->Sensors.size(); ++r)
+      if (isNear(l, this->Sensors[r].position))
+      {
+        area = true;
+        near[r] = 1;
+      }
+    ++openings;
+    areas += area;
+  }
+  const auto receivers = std::count(near.begin(), near.end(), 1);
+  const std::string far = areas == openings ? "" : std::to_string(openings - areas) + " as points, exact";
+  const std::string close = areas == 0 ? ""
+                                       : std::to_string(areas) + " as areas to " + std::to_string(receivers) + " of " +
+                                             std::to_string(this->Sensors.size()) + " receivers, else points";
+  return {"luminous openings", far + (far.empty() || close.empty() ? "" : "; ") + close,
+          "a receiver closer than 5 times its larger side sees the extent of an opening"};
+}
+
+AuditLine ReceiverDirectLight::auditMirrors() const
+{
+  std::ostringstream left;
+  left << "what is left out of the way from a point to a receiver takes mirrors that reflect at most "
+       << std::setprecision(2) << 100 * this->Mirrored.leftOut() << " % together";
+  return {"point luminaires in mirrors", std::to_string(this->Mirrored.size()) + " images, exact",
+          this->Mirrored.leftOut() > 0 ? left.str() : "every chain of mirrors is followed"};
+}
+
+std::vector<AuditLine> ReceiverDirectLight::audit() const
+{
+  std::vector<AuditLine> lines;
+  const int bands = this->Scene_.bands();
+  lines.push_back({"bands", std::to_string(bands),
+                   bands == 1   ? "all materials are photometric"
+                   : bands == 3 ? "a material has red, green and blue"
+                                : "a material has that many bands"});
+  bool glossy = false, mirror = false;
+  for (const Material& m : this->Scene_.data().materials)
+  {
+    glossy = glossy || m.specular > 0;
+    mirror = mirror || m.mirror > 0;
+  }
+  lines.push_back({"reflection",
+                   !this->Found.reflects ? "none"
+                   : glossy && mirror    ? "diffuse, glossy, mirror"
+                   : glossy              ? "diffuse, glossy"
+                   : mirror              ? "diffuse, mirror"
+                                         : "diffuse",
+                   !this->Found.reflects ? "every surface is black: direct light is all there is"
+                   : glossy || mirror    ? "as the materials say"
+                                         : "every luminance is rho E / pi, no second estimate is run"});
+  if (this->Found.unoccluded)
+    lines.push_back({"shadow rays", "none", "the room is convex and empty: nothing can stand between two points"});
+  else
+    lines.push_back({"shadow rays", "traced", "surfaces may stand between two points"});
+  const auto& luminaires = this->Scene_.data().luminaires;
+  const auto points =
+      std::count_if(luminaires.begin(), luminaires.end(), [](const Luminaire& l) { return l.isPoint(); });
+  if (points)
+    lines.push_back({"point luminaires", std::to_string(points) + ", exact", "their direct light has a closed form"});
+  const auto openings =
+      std::count_if(luminaires.begin(), luminaires.end(), [](const Luminaire& l) { return l.isOpening(); });
+  if (openings)
+    lines.push_back(this->auditOpenings());
+  if (static_cast<std::size_t>(points + openings) < luminaires.size())
+    lines.push_back({"luminous rectangles", std::to_string(luminaires.size() - points - openings) + ", polygon formula",
+                     "only what hides it is sampled"});
+  if (this->Mirrored.any())
+    lines.push_back(this->auditMirrors());
+  if (this->Found.emittingTriangles)
+    lines.push_back({"emitting triangles",
+                     std::to_string(this->Found.emittingTriangles) + (this->ClosedForms  ? ", polygon formula"
+                                                                      : this->MeshesSeen ? ", met by paths"
+                                                                                         : ", trajectory starts"),
+                     this->ClosedForms  ? "only what hides it is sampled"
+                     : this->MeshesSeen ? "paths from the receivers alone find all light"
+                     : this->Sampled    ? "as was asked for"
+                                        : "too many for a closed form at every receiver"});
+  return lines;
+}
+}  // namespace kalos

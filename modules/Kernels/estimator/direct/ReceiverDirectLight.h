@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The receivers of a solve as sensors, and the direct light that methods with exact direct light share.
+#ifndef kalos_estimator_direct_ReceiverDirectLight_h
+#define kalos_estimator_direct_ReceiverDirectLight_h
+
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/control/Settings.h"
+#include "estimator/control/Workers.h"
+#include "estimator/direct/DirectLight.h"
+#include "estimator/direct/MirrorImages.h"
+#include "estimator/tally/Tally.h"
+#include "scene/Audit.h"
+
+namespace kalos
+{
+class ReceiverDirectLight
+{
+public:
+  /// What fluctuates has one sample for each `trajectoriesPerSample` of a round; where a receiver and its neighbours in
+  /// order saw all of the emitters or nothing, in samples used nowhere else, eight times fewer.
+  ReceiverDirectLight(const Scene& scene, const Receivers& receivers, const Settings& settings,
+                      int trajectoriesPerSample = 4);
+
+  const std::vector<Sensor>& sensors() const { return this->Sensors; }
+  bool shadows() const { return !this->Found.unoccluded; }
+
+  /// False when the starts of trajectories on emitting meshes must score at this receiver: there are too many emitting
+  /// triangles for closed forms, or the receiver is glossy.
+  bool exactMeshes(std::size_t receiver) const { return this->ClosedForms && !this->Sensors[receiver].brdf; }
+
+  /// Emitting meshes are no part of this light from now on: rays of the receivers see them.
+  void leaveMeshesToRays()
+  {
+    this->ClosedForms = false;
+    this->MeshesSeen = true;
+  }
+
+  /// There is no light but this: nothing reflects, and all emission is known in closed form.
+  bool complete() const { return !this->Found.reflects && this->ClosedForms; }
+
+  /// Fills the fixed part of the tally: all that does not fluctuate. Returns false when aborted.
+  bool prepare(Workers& workers, Tally& tally);
+
+  /// What fluctuates, for a round of `count` trajectories; lx times these, per band.
+  Bands fluctuation(std::size_t receiver, int replicate, long long first, int count) const;
+
+  /// Adds what fluctuates, for a round of trajectories [first, first + count): the visibility of area emitters, or the
+  /// whole direct light of a glossy receiver. Nothing to one that converged.
+  void score(std::size_t receiver, int replicate, long long first, int count, Tally& tally) const;
+
+  /// score() for all receivers and replicates; false when aborted.
+  bool scoreAll(long long first, int count, Workers& workers, Tally& tally) const;
+
+  std::vector<AuditLine> audit() const;
+
+private:
+  const DirectLight& direct() const { return this->ClosedForms ? this->Exact : this->Luminaires; }
+  void measureVisibility(std::size_t receiver);
+  bool isSteady(std::size_t receiver) const;
+  AuditLine auditOpenings() const;
+  AuditLine auditMirrors() const;
+
+  const Scene& Scene_;
+  int PerSample;
+  Walks Drawn;
+  bool Sampled;  // no closed forms of areas
+  Audit Found;
+  bool ClosedForms, MeshesSeen = false;
+  DirectLight Exact;       // luminaires, and meshes where closed forms serve
+  DirectLight Luminaires;  // luminaires only
+  MirrorImages Mirrored;
+  std::vector<Sensor> Sensors;
+  std::vector<DirectLight::View> Views;
+};
+}  // namespace kalos
+
+#endif

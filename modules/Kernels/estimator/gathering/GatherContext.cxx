@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/gathering/GatherContext.h"
+
+#include "estimator/tracing/VertexRound.h"
+
+namespace kalos
+{
+namespace
+{
+constexpr int keptForBalance = 16;  // one of so many trajectories is traced when no path meets their vertices
+}  // namespace
+
+GatherContext::GatherContext(const Scene& scene, const Emission& emission, const Settings& settings, bool shadows)
+    : Scene_(scene),
+      Density(scene, emission, settings.walks()),
+      Shadows(shadows),
+      EveryPair(settings.shadowEveryPair),
+      Luminaires(scene, false, shadows),
+      Mirrored(scene)
+{
+}
+
+std::vector<LightVertices> GatherContext::trace(const Emission& emission, const Walks& walks, int replicates,
+                                                long long first, int count, Workers& workers) const
+{
+  if (this->Alone)
+  {
+    const long long begin = (first + keptForBalance - 1) / keptForBalance;
+    const long long end = (first + count + keptForBalance - 1) / keptForBalance;
+    return traceRound(this->Scene_, emission, walks, replicates, begin, static_cast<int>(end - begin), workers);
+  }
+  std::vector<LightVertices> pools = traceRound(this->Scene_, emission, walks, replicates, first, count, workers);
+  if (!workers.forEach(pools.size(), [&](std::size_t p) { this->Density.annotate(pools[p]); }))
+    pools.clear();
+  return pools;
+}
+
+double GatherContext::blockShare(int trajectories, int blockSize) const
+{
+  if (this->Alone)
+    return std::numeric_limits<double>::infinity();
+  // One gather ray against the trajectories that a block stands for.
+  const double vertices = std::max(this->Density.collisions(), this->Density.starts()) * trajectories;
+  return 1 / (trajectories * std::min(1.0, blockSize / vertices));
+}
+
+Bands GatherContext::luminaireLight(const Sensor& sensor, SampleStream& random) const
+{
+  Bands light = this->Luminaires.sample(sensor, random);
+  this->addMirrored(sensor, light);
+  return light;
+}
+
+void GatherContext::luminaireLight(const Sensor* sensors, int count, SampleStream& random, Bands* light) const
+{
+  this->Luminaires.sample(sensors, count, random, light);
+  for (int i = 0; i < count; ++i)
+    this->addMirrored(sensors[i], light[i]);
+}
+
+void GatherContext::addMirrored(const Sensor& sensor, Bands& light) const
+{
+  if (!this->Mirrored.any())
+    return;
+  const Bands images = this->Mirrored.illuminance(sensor);
+  for (int b = 0; b < this->Scene_.bands(); ++b)
+    light[b] += images[b];
+}
+}  // namespace kalos

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What gather rays meet: the vertices of trajectories and how dense they lie, and the luminaires. The rays themselves:
+// estimator/gathering/WavefrontGather.h.
+#ifndef kalos_estimator_gathering_GatherContext_h
+#define kalos_estimator_gathering_GatherContext_h
+
+#include "estimator/control/Settings.h"
+#include "estimator/control/Workers.h"
+#include "estimator/direct/DirectLight.h"
+#include "estimator/direct/MirrorImages.h"
+#include "estimator/tracing/VertexDensity.h"
+
+namespace kalos
+{
+/// The vertices of one replicate's round, annotated by the pilot, as gather rays use them.
+struct GatherPool
+{
+  const LightVertices* vertices = nullptr;
+  int trajectories = 0;  ///< that left them
+};
+
+class GatherContext
+{
+public:
+  GatherContext(const Scene& scene, const Emission& emission, const Settings& settings, bool shadows);
+
+  const Scene& scene() const { return this->Scene_; }
+  const VertexDensity& pilot() const { return this->Density; }
+  const DirectLight& luminaires() const { return this->Luminaires; }
+  const MirrorImages& mirrored() const { return this->Mirrored; }
+  bool shadows() const { return this->Shadows; }
+  /// Whether one vertex of a block is picked for the shadow ray, instead of all.
+  bool picksVertices() const { return this->Shadows && !this->EveryPair; }
+
+  /// From now on rays meet no vertices: all light is found by paths that end late, estimator/methods/StrategyTrial.h.
+  void usePathsOnly() { this->Alone = true; }
+  bool alone() const { return this->Alone; }
+
+  /// The vertices of trajectories [first, first + count) of every replicate, annotated by the pilot; of a sixteenth of
+  /// them when alone, for the energy balance. None when aborted.
+  std::vector<LightVertices> trace(const Emission& emission, const Walks& walks, int replicates, long long first,
+                                   int count, Workers& workers) const;
+
+  /// Gather rays per trajectory, as they count for G*, of a ray beside a block of vertices; infinite when alone.
+  double blockShare(int trajectories, int blockSize) const;
+
+  /// All light that reaches a sensor from luminaires, straight or by mirrors, with one shadow ray for the former.
+  Bands luminaireLight(const Sensor& sensor, SampleStream& random) const;
+
+  /// The same at up to SegmentPacket::width sensors without BRDF that are seen from afar: see DirectLight.
+  void luminaireLight(const Sensor* sensors, int count, SampleStream& random, Bands* light) const;
+
+private:
+  void addMirrored(const Sensor& sensor, Bands& light) const;
+
+  const Scene& Scene_;
+  VertexDensity Density;
+  bool Shadows, EveryPair, Alone = false;
+  DirectLight Luminaires;
+  MirrorImages Mirrored;
+};
+}  // namespace kalos
+
+#endif

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sums of scores per receiver, replicate and band.
+#ifndef kalos_estimator_tally_Tally_h
+#define kalos_estimator_tally_Tally_h
+
+#include <limits>
+
+#include "estimator/control/Archive.h"
+#include "estimator/control/Ranks.h"
+#include "estimator/control/Receivers.h"
+#include "estimator/control/Result.h"
+#include "estimator/tracing/EnergyBalance.h"
+#include "photometry/Bands.h"
+#include "statistics/Replicates.h"
+
+namespace kalos
+{
+/// The estimate of a replicate is  fixed + sum / n  after n trajectories of that replicate. Different receivers and
+/// replicates may be written by different threads.
+class Tally
+{
+public:
+  Tally(const Scene& scene, std::size_t receivers, int replicates);
+
+  std::size_t receivers() const { return this->Receivers; }
+  int replicates() const { return this->Replicates; }
+  int bands() const { return this->BandCount; }
+
+  double* fixed(std::size_t receiver) { return &this->Fixed[receiver * this->BandCount]; }  ///< lx, bands() values
+  double* total(std::size_t receiver, int replicate) { return &this->Total[this->at(receiver, replicate)]; }
+  double* direct(std::size_t receiver, int replicate)
+  {
+    return &this->ReceiverDirectLight[this->at(receiver, replicate)];
+  }
+
+  /// What becomes of the light of the trajectories of a replicate.
+  EnergySums& energy(int replicate) { return this->Energy.of(replicate); }
+  template <class Pools>
+  void noteEnergy(const Pools& pools)
+  {
+    for (std::size_t p = 0; p < pools.size(); ++p)
+      this->energy(static_cast<int>(p)).add(pools[p].energy);
+  }
+  std::vector<AuditLine> auditEnergy() const { return this->Energy.audit(); }
+
+  /// What an altered kernel scored less what the plain one would have, luminous.
+  double& correction(std::size_t receiver, int replicate)
+  {
+    return this->Correction[receiver * this->Replicates + replicate];
+  }
+
+  /// Notes one luminous score, in the unit of total(); one that is none makes the receiver unsound for good.
+  void noteScore(std::size_t receiver, int replicate, double score)
+  {
+    double& largest = this->Largest[receiver * this->Replicates + replicate];
+    largest = score >= 0 ? std::max(largest, score) : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  double largest(std::size_t receiver, int replicate) const
+  {
+    return this->Largest[receiver * this->Replicates + replicate];
+  }
+
+  /// Whether all sums are finite, and no score that was noted was negative or not a number.
+  bool sound(std::size_t receiver, int replicate) const;
+
+  /// Fetches from every rank the sums of the replicates that it owns.
+  void exchange(const Ranks& ranks);
+
+  /// Receivers that take no part in the coming rounds, 1 each, estimators skip them; their estimates stay.
+  void rest(std::vector<char> receivers);
+  bool converged(std::size_t receiver) const { return this->Resting[receiver] != 0; }
+  std::size_t active() const { return this->Active; }
+
+  /// After a round of trajectories [first, first + count): who rested keeps the estimate of the first ones.
+  void keepResting(long long first, int count);
+
+  /// Of n trajectories of a replicate, those that the receiver took part in.
+  long long trajectories(std::size_t receiver, long long n) const { return n - this->Missed[receiver]; }
+
+  /// Saves or restores the sums, the fixed part too.
+  void persist(Archive& archive);
+
+  /// Photometric mean and standard error over the replicates, n trajectories each.
+  MeanAndError summary(std::size_t receiver, long long n) const;
+
+  /// The photometric estimates of all replicates, n trajectories each; of the indirect part alone if wanted.
+  std::vector<double> estimates(std::size_t receiver, long long n, bool indirectOnly = false) const;
+
+  /// Largest single score over the sum of all, in [0, 1], with what does not fluctuate counted in the sum.
+  double largestShare(std::size_t receiver, long long n) const;
+
+  /// Whether the largest score of all exceeds three times the median of the replicates' largest; always where there are
+  /// too few replicates to tell.
+  bool largestStandsOut(std::size_t receiver) const;
+
+  /// Fills the arrays of `result`, but for Result::trusted.
+  void write(long long n, Result& result) const;
+
+private:
+  std::size_t at(std::size_t receiver, int replicate) const
+  {
+    return (receiver * this->Replicates + replicate) * this->BandCount;
+  }
+
+  std::size_t Receivers;
+  int Replicates, BandCount;
+  EnergyBalance Energy;
+  std::vector<double> Fixed, Total, ReceiverDirectLight, Correction, Largest;
+  std::vector<char> Resting;      // per receiver
+  std::vector<long long> Missed;  // trajectories of a replicate while it rested
+  std::size_t Active;
+};
+}  // namespace kalos
+
+#endif

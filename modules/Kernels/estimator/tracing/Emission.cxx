@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/tracing/Emission.h"
+
+#include "sampling/Warp.h"
+
+namespace kalos
+{
+Emission::Emission(const Scene& scene) : Scene_(scene)
+{
+  auto add = [this](double flux) { this->Cumulative.push_back(this->TotalFlux += flux); };
+  for (const Luminaire& luminaire : scene.data().luminaires)
+    add(luminaire.flux);
+  const auto count = static_cast<std::uint32_t>(scene.data().triangles.size());
+  for (std::uint32_t t = 0; t < count; ++t)
+  {
+    const double exitance = photometric(scene.material(t).exitance, scene.bands());
+    if (!(exitance > 0))
+      continue;
+    this->Triangles.push_back(t);
+    add(exitance * scene.area(t));
+  }
+}
+
+EmissionSample Emission::sample(SampleStream& random) const
+{
+  const double target = random.next() * this->TotalFlux;
+  const auto found = std::upper_bound(this->Cumulative.begin(), this->Cumulative.end(), target);
+  const auto i = std::min<std::size_t>(found - this->Cumulative.begin(), this->Cumulative.size() - 1);
+  // What the choice leaves over is uniform again: emitter, point and direction are one block of numbers.
+  const double before = i ? this->Cumulative[i - 1] : 0;
+  const double u = std::min((target - before) / (this->Cumulative[i] - before), 0x1.fffffffffffffp-1);
+  const std::size_t luminaires = this->Scene_.data().luminaires.size();
+  return i < luminaires ? this->fromLuminaire(i, u, random)
+                        : this->fromTriangle(this->Triangles[i - luminaires], u, random);
+}
+
+EmissionSample Emission::fromLuminaire(std::size_t i, double u, SampleStream& random) const
+{
+  const Luminaire& luminaire = this->Scene_.data().luminaires[i];
+  EmissionSample start;
+  start.fromPoint = luminaire.isPoint();
+  start.anchor = this->Scene_.luminaireAnchor(i);  // a lamp mounted flush with a ceiling shines into the room
+  start.weight = uniformBands(this->TotalFlux);
+  double u1 = u;
+  if (!luminaire.isPoint())
+  {
+    start.anchor.point += (u - 0.5) * luminaire.sideU + (random.next() - 0.5) * luminaire.sideV;
+    u1 = random.next();
+  }
+  const double u2 = random.next();
+  start.direction = sampleDirection(luminaire, u1, u2);
+  return start;
+}
+
+EmissionSample Emission::fromTriangle(std::uint32_t t, double u, SampleStream& random) const
+{
+  double b1, b2;
+  uniformTriangle(u, random.next(), b1, b2);
+  const Vec3 a = this->Scene_.corner(t, 0);
+  EmissionSample start;
+  start.onSurface = true;
+  start.triangle = t;
+  const Vec3& n = this->Scene_.normal(t);
+  start.anchor =
+      this->Scene_.anchor(t, a + b1 * (this->Scene_.corner(t, 1) - a) + b2 * (this->Scene_.corner(t, 2) - a), n);
+  const double v1 = random.next(), v2 = random.next();
+  start.direction = Frame(n).toWorld(cosineHemisphere(v1, v2));
+  const Bands& exitance = this->Scene_.material(t).exitance;
+  start.density = photometric(exitance, this->Scene_.bands()) / this->TotalFlux;
+  const double scale = 1 / start.density;
+  for (int b = 0; b < maxBands; ++b)
+    start.weight[b] = scale * exitance[b];
+  return start;
+}
+}  // namespace kalos

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where trajectories start: luminaires and emitting triangles, chosen in proportion to their flux.
+#ifndef kalos_estimator_tracing_Emission_h
+#define kalos_estimator_tracing_Emission_h
+
+#include <vector>
+
+#include "sampling/SampleStream.h"
+#include "scene/Scene.h"
+
+namespace kalos
+{
+struct EmissionSample
+{
+  RayAnchor anchor;  ///< where the trajectory starts
+  Vec3 direction;
+  bool fromPoint = false;      ///< from a point luminaire
+  bool onSurface = false;      ///< from a mesh (else from a luminaire, which has no body)
+  std::uint32_t triangle = 0;  ///< of the mesh, when onSurface
+  double density = 0;          ///< starts per m2 and trajectory about the position, on a mesh
+  Bands weight;                ///< flux per band, lm, if this were the only trajectory
+};
+
+class Emission
+{
+public:
+  explicit Emission(const Scene& scene);
+
+  double totalFlux() const { return this->TotalFlux; }  ///< lm, photometric
+
+  /// Draws an emitter, a point on it and a direction; every sample carries the whole photometric flux.
+  EmissionSample sample(SampleStream& random) const;
+
+private:
+  // u: uniform in [0,1), left over from the choice of the emitter.
+  EmissionSample fromLuminaire(std::size_t luminaire, double u, SampleStream& random) const;
+  EmissionSample fromTriangle(std::uint32_t triangle, double u, SampleStream& random) const;
+
+  const Scene& Scene_;
+  std::vector<std::uint32_t> Triangles;  // the emitting ones
+  std::vector<double> Cumulative;        // flux up to and including luminaire or triangle i
+  double TotalFlux = 0;
+};
+}  // namespace kalos
+
+#endif

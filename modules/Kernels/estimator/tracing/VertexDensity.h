@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A few trajectories that no estimate uses: how dense vertices will lie, so that effort and weights can be chosen on
+// samples that do not enter the result.
+#ifndef kalos_estimator_tracing_VertexDensity_h
+#define kalos_estimator_tracing_VertexDensity_h
+
+#include "estimator/tracing/Trajectories.h"
+
+namespace kalos
+{
+/// Densities in vertices per m2 and trajectory.
+class VertexDensity
+{
+public:
+  VertexDensity(const Scene& scene, const Emission& emission, const Walks& walks);
+
+  /// Collisions per trajectory.
+  double collisions() const { return this->Collisions; }
+  /// Starts on emitting meshes per trajectory.
+  double starts() const { return this->Starts; }
+
+  /// Density of collisions about the point p of a surface, from an octree over the pilot's vertices: right within a
+  /// small factor, positive everywhere.
+  double density(const Vec3& p) const;
+
+  /// Density of starts on an emitting material; exact.
+  double startDensity(const Material& material) const;
+
+  /// Density about the median vertex.
+  double typical() const { return this->Typical; }
+
+  /// Notes the density at every vertex of a pool.
+  void annotate(LightVertices& pool) const;
+
+private:
+  struct Node
+  {
+    int children = -1;   // index of the first of eight, or none
+    double density = 0;  // of the smallest cube about here that holds enough vertices
+  };
+  struct Collision
+  {
+    Vec3 position, normal;
+  };
+  void split(int node, const Vec3& centre, double half, const std::vector<Collision>& inside, int depth);
+  static double densityIn(double side, const std::vector<Collision>& inside);
+
+  const Scene& Scene_;
+  double Flux, Collisions = 0, Starts = 0, Typical = 0;
+  std::vector<Node> Nodes;
+};
+}  // namespace kalos
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A run of light vertices that is scored at once.
+#ifndef kalos_estimator_tracing_VertexTile_h
+#define kalos_estimator_tracing_VertexTile_h
+
+#include "estimator/tracing/VertexSet.h"
+
+namespace kalos
+{
+/// Vertices [begin, begin + count) of a set, count <= capacity, paired with one sensor.
+struct VertexTile
+{
+  static constexpr int capacity = 512;  ///< enough to hide what a call costs
+  static constexpr int lanes = 16;      ///< vertices that are scored side by side
+
+  const VertexSet& vertices;
+  std::size_t begin;
+  int count;
+
+  int paddedCount() const { return (this->count + lanes - 1) / lanes * lanes; }
+};
+}  // namespace kalos
+
+#endif
