@@ -2,7 +2,7 @@
 """Truths in closed form or by quadrature that kalos.truths does not have. Lengths in m, flux in lm, illuminance in lx."""
 import numpy as np
 
-from kalos import truths
+from kalos.validation import truths
 
 
 def even(value):

@@ -2,7 +2,7 @@
 """The truth of an isotropic lamp over a glossy plane, by quadrature."""
 import numpy as np
 
-from kalos import truths
+from kalos.validation import truths
 from tracer_scene import TABLE, lobe_albedo, smith
 
 STEPS = 1500  # of the distance; a quarter of the angle

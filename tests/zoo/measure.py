@@ -6,14 +6,15 @@ from dataclasses import astuple, dataclass, fields
 import numpy as np
 from scipy import stats
 
-from kalos import arrays
+from kalos.core import arrays
+from kalos.core.options import Options
 from kalos.errors import update
-from kalos.estimator import Options
-from kalos.preparation import prepare_scene
-from kalos.receivers import from_dataset
-from kalos.solve import illuminance, read_scene
-from kalos.summary import field_value
-from kalos.validate import OFFSET
+from kalos.estimation.filters import illuminance_filter
+from kalos.preparation.scene import prepare_scene
+from kalos.results.fields import field_value
+from kalos.results.receivers import from_dataset
+from kalos.scenes.reading import read_scene
+from kalos.validation.verdicts import OFFSET
 
 CONFIDENCE = 0.95
 FAR = 0.10  # relative deviation with which a value has deserved its flag, whatever its interval
@@ -58,7 +59,7 @@ def solve(room, folder, method, seeds, trajectories):
     prepared = prepare_scene(path, reader)
     found, seconds = [], []
     for seed in range(1, seeds + 1):
-        estimator = prepared.put(illuminance(reader, Options(method=method, trajectories=trajectories, seed=seed, threads=1)))
+        estimator = prepared.put(illuminance_filter(reader, Options(method=method, trajectories=trajectories, seed=seed, threads=1)))
         update(estimator)
         output = estimator.GetOutputDataObject(0)
         found.append(from_dataset("probe", output.GetBlock(0)))

@@ -6,7 +6,7 @@ import pytest
 import kalos  # noqa: F401  finds VTK
 from catalogue import ROOMS
 from closed import mirror_box
-from kalos.solve import read_scene
+from kalos.scenes.reading import read_scene
 from measure import Solves, judge, solve
 from room import TRUTHS
 from run import hard, verdict

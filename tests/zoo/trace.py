@@ -13,7 +13,7 @@ import argparse
 import sys
 import time
 
-import kalos  # noqa: F401  finds VTK, for kalos.truths
+import kalos  # noqa: F401  finds VTK
 import numpy as np
 from scipy import stats
 
