@@ -134,6 +134,26 @@ TEST(Mirror, PerpendicularMirrorsMakeThreeImages)
   }
 }
 
+// A box of six mirrors has more images than are followed: no value is trusted, and a warning says so.
+TEST(Mirror, ImagesThatAreLeftOutAreNotTrusted)
+{
+  SceneDescription d;
+  d.materials[rooms::addMaterial(d, 0)].mirror = 0.7;
+  rooms::addBox(d, {0, 0, 0}, {4, 3, 2}, 0, true);
+  d.luminaires.push_back(isotropic({1, 1.5, 1.2}, 4000));
+  Receivers r;
+  r.points = {{3, 1, 0.5}};
+  r.normals = {{0, 0, 1}};
+  for (Method method : {Method::Compensated, Method::Gathered, Method::Local, Method::Disc})
+  {
+    const Result result = solve(Scene(d), r, settings(method, 320));
+    EXPECT_EQ(result.trusted[0], 0);
+    EXPECT_TRUE(std::any_of(result.audit.begin(), result.audit.end(), [](const AuditLine& line) {
+      return line.subject == "warning" && line.choice.find("more than 4096 images") != std::string::npos;
+    }));
+  }
+}
+
 // Mirrors at x = 0 and 3 that face each other: a series of images at 6 k +- 1, weakened by 0.8 at each reflection.
 TEST(Mirror, FacingMirrorsMakeASeriesOfImages)
 {

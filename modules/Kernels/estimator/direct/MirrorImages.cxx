@@ -22,6 +22,7 @@ MirrorImages::MirrorImages(const Scene& scene) : Scene_(scene)
   {
     const Image image = this->Images[i];
     const bool follows = this->Images.size() < mostImages;
+    this->Truncated = this->Truncated || (!follows && image.reflectance * brightest >= leastReflectance);
     if (!follows || image.reflectance * brightest < leastReflectance)
       this->LeftOut = std::max(this->LeftOut, image.reflectance * brightest);
     for (std::size_t p = 0; follows && p < this->Planes.size(); ++p)

@@ -25,6 +25,10 @@ public:
   /// Largest product of the reflectances of a chain that is left out; 0: none is.
   double leftOut() const { return this->LeftOut; }
 
+  /// Whether chains are left out because there are too many of them, not because they are dim: values are too low then,
+  /// by an amount that nobody knows.
+  bool truncated() const { return this->Truncated; }
+
   /// Illuminance, or weighted by the response of a glossy sensor, lx per band; shadows of the whole way included.
   Bands illuminance(const Sensor& sensor) const;
 
@@ -56,6 +60,7 @@ private:
   std::vector<Plane> Planes;
   std::vector<Image> Images;
   double LeftOut = 0;
+  bool Truncated = false;
 };
 }  // namespace kalos
 

@@ -201,6 +201,12 @@ AuditLine ReceiverDirectLight::auditMirrors() const
   std::ostringstream left;
   left << "what is left out of the way from a point to a receiver takes mirrors that reflect at most "
        << std::setprecision(2) << 100 * this->Mirrored.leftOut() << " % together";
+  if (this->Mirrored.truncated())
+    return {"warning",
+            "mirrors face each other too often: point luminaires have more than " +
+                std::to_string(MirrorImages::mostImages) + " images",
+            "further ones are left out, so that values are too low and no error is to be trusted; a small luminous "
+            "rectangle instead of a point is found by gather rays in any number of mirrors"};
   return {"point luminaires in mirrors", std::to_string(this->Mirrored.size()) + " images, exact",
           this->Mirrored.leftOut() > 0 ? left.str() : "every chain of mirrors is followed"};
 }

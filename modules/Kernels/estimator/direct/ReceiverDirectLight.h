@@ -37,6 +37,8 @@ public:
   }
 
   /// There is no light but this: nothing reflects, and all emission is known in closed form.
+  /// Whether no light of point luminaires in mirrors is left out that matters: see MirrorImages::truncated().
+  bool hasAllImages() const { return !this->Mirrored.truncated(); }
   bool complete() const { return !this->Found.reflects && this->ClosedForms; }
 
   /// Fills the fixed part of the tally: all that does not fluctuate. Returns false when aborted.

@@ -30,6 +30,10 @@ public:
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
   bool skipsConverged() const override { return true; }
+  bool trusts(std::size_t /*receiver*/, long long /*trajectories*/) const override
+  {
+    return this->Direct.hasAllImages();
+  }
   int replicates(long long trajectories) const override { return fewReplicates(trajectories); }
   void persist(Archive& archive) override { this->Light.persist(archive); }
   std::vector<double> gatherRays() const override;

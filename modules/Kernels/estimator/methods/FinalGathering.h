@@ -39,6 +39,10 @@ public:
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
   bool skipsConverged() const override { return true; }
+  bool trusts(std::size_t /*receiver*/, long long /*trajectories*/) const override
+  {
+    return this->Direct.hasAllImages();
+  }
   int replicates(long long trajectories) const override { return fewReplicates(trajectories); }
   Pace pace() const override;
   void exchange(const Ranks& ranks) override;

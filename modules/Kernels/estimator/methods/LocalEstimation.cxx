@@ -130,6 +130,8 @@ void LocalEstimation::alter(std::size_t r, int replicate, const VertexSet& verti
 
 bool LocalEstimation::trusts(std::size_t receiver, long long trajectories) const
 {
+  if (!this->Direct.hasAllImages())
+    return false;
   return this->Alteration || this->Direct.complete() ||
          nearFieldIsSeen(this->NearKernel[receiver], this->CollisionsPerArea * static_cast<double>(trajectories));
 }
