@@ -62,6 +62,13 @@ def test_reader_and_schema_know_the_same_keys(schema):
         assert any(keys - {"$schema"} <= one for one in own), sorted(keys)
 
 
+def test_a_scene_may_name_its_schema(schema, scene, command, tmp_path):
+    scene["$schema"] = "kalos.schema.json"
+    assert schema().is_valid(scene)
+    status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", "--trajectories", 64)
+    assert status == 0, error
+
+
 @pytest.mark.parametrize("section, entry", [
     ("surfaces", {"name": "a", "quad": {"origin": [0, 0, 0], "u": [1, 0, 0]}, "material": "grey"}),
     ("surfaces", {"name": "a", "box": {"center": [0, 0, 0], "size": [1, 0, 1]}, "material": "grey"}),
