@@ -111,9 +111,9 @@ TEST(AdaptiveSampling, NeedsAreTheSquaresOfDistancesAmongNeighbours)
     EXPECT_NEAR(each, needed, 1e-3 * needed);
   // Enough by the plan, and by the interval: the second receiver is 0.99 of the way beyond.
   const auto enough = static_cast<long long>(needed) + 1;
-  EXPECT_EQ(plan.resting(goal, alternating(0.9, enough), enough), (std::vector<char>{1, 1, 1}));
-  EXPECT_EQ(plan.resting(goal, alternating(1.1, enough), enough), (std::vector<char>{1, 0, 1}));
-  EXPECT_EQ(plan.resting(goal, alternating(0.9, enough - 2), enough - 2), (std::vector<char>{0, 0, 0}));
+  EXPECT_EQ(plan.converged(goal, alternating(0.9, enough), enough), (std::vector<char>{1, 1, 1}));
+  EXPECT_EQ(plan.converged(goal, alternating(1.1, enough), enough), (std::vector<char>{1, 0, 1}));
+  EXPECT_EQ(plan.converged(goal, alternating(0.9, enough - 2), enough - 2), (std::vector<char>{0, 0, 0}));
 }
 
 // Who converged keeps mean and error while the others' sums are divided by more and more trajectories.
@@ -123,10 +123,10 @@ TEST(AdaptiveSampling, RestingReceiversKeepTheirEstimates)
   tally.noteScore(0, 0, 30);
   const MeanAndError before = tally.summary(0, 1);
   const double share = tally.largestShare(0, 1);
-  tally.rest({1, 0, 0});
+  tally.setConverged({1, 0, 0});
   EXPECT_EQ(tally.active(), 2u);
-  tally.keepResting(1, 3);
-  tally.keepResting(4, 6);
+  tally.keepConverged(1, 3);
+  tally.keepConverged(4, 6);
   EXPECT_NEAR(tally.summary(0, 10).mean, before.mean, 1e-9 * before.mean);
   EXPECT_NEAR(tally.summary(0, 10).standardError, before.standardError, 1e-9);
   EXPECT_NEAR(tally.largestShare(0, 10), share, 1e-12);

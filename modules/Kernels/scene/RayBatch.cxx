@@ -74,7 +74,7 @@ void traceTogether(const Scene& scene, std::vector<PathRay>& rays)
   Packet packet;
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
-    if (rays[i].alone || rays[i].start.crowded)
+    if (rays[i].doublePrecision || rays[i].start.crowded)
     {
       rays[i].end = scene.trace(rays[i].start, rays[i].direction);
       continue;
@@ -96,7 +96,8 @@ void shadowTogether(const RayScene& scene, std::vector<ShadowRay>& rays)
     ShadowRay& ray = rays[i];
     const Vec3 along = ray.to.point - ray.from.point;
     const double squared = dot(along, along);
-    if (ray.alone || ray.from.crowded || ray.to.crowded || !isFarFrom(ray.from, squared) || !isFarFrom(ray.to, squared))
+    if (ray.doublePrecision || ray.from.crowded || ray.to.crowded || !isFarFrom(ray.from, squared) ||
+        !isFarFrom(ray.to, squared))
     {
       ray.hidden = scene.occluded(ray.from, ray.to);
       continue;

@@ -28,8 +28,8 @@ bool isInGap(const Scene& scene, const RayAnchor& anchor);
 struct PathRay
 {
   RayAnchor start;
-  Vec3 direction;  ///< unit
-  bool alone;      ///< in double precision, whatever it meets
+  Vec3 direction;        ///< unit
+  bool doublePrecision;  ///< in double precision, whatever it meets
   SurfacePoint end;
 };
 
@@ -39,7 +39,7 @@ void traceTogether(const Scene& scene, std::vector<PathRay>& rays);
 struct ShadowRay
 {
   RayAnchor from, to;
-  bool alone;
+  bool doublePrecision;
   bool hidden = false;
 };
 

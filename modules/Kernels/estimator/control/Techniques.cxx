@@ -15,7 +15,7 @@ struct Technique
   void (*disable)(Settings&);
 };
 
-const Technique savings[] = {
+const Technique techniques[] = {
     {"stratified", [](const Settings& s) { return s.sampling == Sampling::Independent; },
      [](Settings& s) { s.sampling = Sampling::Independent; }},
     {"picked", [](const Settings& s) { return s.shadowEveryPair; }, [](Settings& s) { s.shadowEveryPair = true; }},
@@ -35,12 +35,12 @@ void disable(const std::string& names, Settings& settings)
   {
     bool known = false;
     std::string all;
-    for (const Technique& saving : savings)
+    for (const Technique& technique : techniques)
     {
-      all += std::string(all.empty() ? "" : ", ") + saving.name;
-      if (name == saving.name)
+      all += std::string(all.empty() ? "" : ", ") + technique.name;
+      if (name == technique.name)
       {
-        saving.disable(settings);
+        technique.disable(settings);
         known = true;
       }
     }
@@ -52,9 +52,9 @@ void disable(const std::string& names, Settings& settings)
 std::string disabledTechniques(const Settings& settings)
 {
   std::string names;
-  for (const Technique& saving : savings)
-    if (saving.isOff(settings))
-      names += std::string(names.empty() ? "" : ",") + saving.name;
+  for (const Technique& technique : techniques)
+    if (technique.isOff(settings))
+      names += std::string(names.empty() ? "" : ",") + technique.name;
   return names;
 }
 }  // namespace kalos

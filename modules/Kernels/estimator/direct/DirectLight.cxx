@@ -68,7 +68,7 @@ double DirectLight::formFactor(const Area& area, const Sensor& sensor) const
   return this->shinesAt(area, sensor) ? polygonFormFactor(sensor.position, sensor.normal, area.corner, area.count) : 0;
 }
 
-void DirectLight::look(const Sensor& sensor, View& view) const
+void DirectLight::prepareView(const Sensor& sensor, View& view) const
 {
   view.points = view.areas = {};
   view.cumulative.clear();
@@ -301,7 +301,7 @@ bool DirectLight::aim(const Sensor& sensor, SampleStream& random, AreaSample& sa
   return true;
 }
 
-bool DirectLight::propose(const Sensor& sensor, SampleStream& random, Sample& sample, Bands& known) const
+bool DirectLight::sampleUnshadowed(const Sensor& sensor, SampleStream& random, Sample& sample, Bands& known) const
 {
   AreaSample aimed;
   if (!this->aim(sensor, random, aimed, sample.light, known))
@@ -319,7 +319,7 @@ Bands DirectLight::sample(const Sensor& sensor, SampleStream& random) const
 {
   Sample sample;
   Bands result{};
-  if (!this->propose(sensor, random, sample, result) ||
+  if (!this->sampleUnshadowed(sensor, random, sample, result) ||
       (this->Shadows && this->Scene_.rays().occluded(sensor.anchor, sample.target)))
     return result;
   for (int b = 0; b < this->Scene_.bands(); ++b)

@@ -36,7 +36,7 @@ public:
     double visibleShare = 1;         ///< beta; to be set by the caller where surfaces may occlude
     std::vector<double> cumulative;  ///< what area emitters are drawn in proportion to, up to and including emitter i
   };
-  void look(const Sensor& sensor, View& view) const;
+  void prepareView(const Sensor& sensor, View& view) const;
 
   /// One sample of the area emitters: w (lx per band). Returns V - beta, or V for an opening, which U does not hold.
   double sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const;
@@ -55,7 +55,7 @@ public:
     Bands light;  ///< lx per band, weighted by the sensor's response
   };
   /// The same without the shadow ray; what a lobe's sample found, with shadow rays of its own, is added to `known`.
-  bool propose(const Sensor& sensor, SampleStream& random, Sample& sample, Bands& known) const;
+  bool sampleUnshadowed(const Sensor& sensor, SampleStream& random, Sample& sample, Bands& known) const;
 
   /// The same at `count` <= SegmentPacket::width sensors without BRDF, their shadow rays in one packet, in single
   /// precision: for sensors that are seen from so far that none matters which lies in a narrower gap.
@@ -66,7 +66,7 @@ public:
   void addSeen(const Vec3& origin, const Vec3& direction, const SurfacePoint& y, const Bands& throughput,
                double* sum) const;
 
-  /// Whether samples add to what look() finds: something may hide area emitters, or openings are near.
+  /// Whether samples add to what prepareView() finds: something may hide area emitters, or openings are near.
   bool hasOpenings() const { return this->HasOpenings; }
   bool fluctuates() const { return this->HasOpenings || (this->Shadows && !this->Areas.empty()); }
 

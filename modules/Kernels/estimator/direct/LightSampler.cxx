@@ -8,8 +8,8 @@
 #include "estimator/direct/LightSampler.h"
 #include "photometry/CandelaBound.h"
 
-#ifndef kalos_estimator_LuminaireChoice_once
-#define kalos_estimator_LuminaireChoice_once
+#ifndef kalos_estimator_direct_LightSampler_once
+#define kalos_estimator_direct_LightSampler_once
 namespace kalos
 {
 namespace

@@ -83,7 +83,7 @@ bool ReceiverDirectLight::prepare(Workers& workers, Tally& tally)
       if (this->Sensors[r].brdf)
         continue;
       DirectLight::View& view = this->Views[r];
-      this->direct().look(this->Sensors[r], view);
+      this->direct().prepareView(this->Sensors[r], view);
       this->measureVisibility(r);
       for (int b = 0; b < tally.bands(); ++b)
         tally.fixed(r)[b] += view.points[b] + view.visibleShare * view.areas[b];

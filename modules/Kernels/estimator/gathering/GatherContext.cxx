@@ -23,7 +23,7 @@ GatherContext::GatherContext(const Scene& scene, const Emission& emission, const
 std::vector<LightVertices> GatherContext::trace(const Emission& emission, const Walks& walks, int replicates,
                                                 long long first, int count, Workers& workers) const
 {
-  if (this->Alone)
+  if (this->PathsOnly)
   {
     const long long begin = (first + keptForBalance - 1) / keptForBalance;
     const long long end = (first + count + keptForBalance - 1) / keptForBalance;
@@ -37,7 +37,7 @@ std::vector<LightVertices> GatherContext::trace(const Emission& emission, const 
 
 double GatherContext::blockShare(int trajectories, int blockSize) const
 {
-  if (this->Alone)
+  if (this->PathsOnly)
     return std::numeric_limits<double>::infinity();
   // One gather ray against the trajectories that a block stands for.
   const double vertices = std::max(this->Density.collisions(), this->Density.starts()) * trajectories;

@@ -33,8 +33,8 @@ public:
   bool picksVertices() const { return this->Shadows && !this->EveryPair; }
 
   /// From now on rays meet no vertices: all light is found by paths that end late, estimator/methods/StrategyTrial.h.
-  void usePathsOnly() { this->Alone = true; }
-  bool alone() const { return this->Alone; }
+  void usePathsOnly() { this->PathsOnly = true; }
+  bool pathsOnly() const { return this->PathsOnly; }
 
   /// The vertices of trajectories [first, first + count) of every replicate, annotated by the pilot; of a sixteenth of
   /// them when alone, for the energy balance. None when aborted.
@@ -55,7 +55,7 @@ private:
 
   const Scene& Scene_;
   VertexDensity Density;
-  bool Shadows, EveryPair, Alone = false;
+  bool Shadows, EveryPair, PathsOnly = false;
   DirectLight Luminaires;
   MirrorImages Mirrored;
 };

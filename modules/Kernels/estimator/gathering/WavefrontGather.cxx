@@ -16,12 +16,13 @@ namespace
 constexpr double kept = 5;
 // The same when it is alone: in a white furnace 10 took three times the time of 20 to the same error, in rooms that are
 // luminous in part 20 a quarter more than 5.
-constexpr double keptAlone = 20;
+constexpr double keptPathsOnly = 20;
 }  // namespace
 
 std::size_t WavefrontGather::add(const Sensor& sensor, const Start& start, const SampleStream& random, bool first)
 {
-  this->Paths.push_back({sensor, random, uniformBands(1), start.share, start.seesEmission, start.alone, first, {}});
+  this->Paths.push_back(
+      {sensor, random, uniformBands(1), start.share, start.seesEmission, start.doublePrecision, first, {}});
   this->Found.resize(2 * this->Count * this->Paths.size(), 0);
   return this->Paths.size() - 1;
 }
@@ -43,10 +44,10 @@ std::size_t WavefrontGather::follow(const Sensor& sensor, const Vec3& direction,
   return i;
 }
 
-std::size_t WavefrontGather::indirectLight(const Sensor& sensor, bool alone, const SampleStream& random)
+std::size_t WavefrontGather::indirectLight(const Sensor& sensor, bool doublePrecision, const SampleStream& random)
 {
   const double share = this->Rays.blockShare(this->Pool.trajectories, cellBlock);
-  const std::size_t i = this->add(sensor, {share, true, alone}, random, false);
+  const std::size_t i = this->add(sensor, {share, true, doublePrecision}, random, false);
   this->addVertices(i, cellBlock);
   this->Active.push_back(i);
   return i;
@@ -71,7 +72,7 @@ void WavefrontGather::run()
       PathState& path = this->Paths[this->Active[k]];
       if (!this->draw(path))
         return false;
-      rays.push_back({path.at.anchor, path.sampled.direction, path.alone, {}});
+      rays.push_back({path.at.anchor, path.sampled.direction, path.doublePrecision, {}});
       return true;
     });
     traceTogether(scene, rays);
@@ -146,7 +147,7 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
   if (!(photometric(path.throughput, scene.bands()) > 0) || (!path.first && !this->survives(path)))
     return false;
   next.anchor.crowded = crowds(path.at.anchor, squared);
-  path.alone = !isFarFrom(next.anchor, squared);
+  path.doublePrecision = !isFarFrom(next.anchor, squared);
   path.at = next;
   this->addLuminaires(i);
   this->addVertices(i, rayBlock);
@@ -182,7 +183,8 @@ void WavefrontGather::addEmission(std::size_t i, const SurfacePoint& y, double k
 bool WavefrontGather::survives(PathState& path) const
 {
   const int bands = this->Rays.scene().bands();
-  const double survival = std::min(1.0, (this->Rays.alone() ? keptAlone : kept) * photometric(path.throughput, bands));
+  const double survival =
+      std::min(1.0, (this->Rays.pathsOnly() ? keptPathsOnly : kept) * photometric(path.throughput, bands));
   if (path.random.next() >= survival)
     return false;
   for (int b = 0; b < bands; ++b)
@@ -195,7 +197,7 @@ void WavefrontGather::addLuminaires(std::size_t i)
   PathState& path = this->Paths[i];
   DirectLight::Sample sample;
   Bands known{};
-  if (this->Rays.luminaires().propose(path.at, path.random, sample, known))
+  if (this->Rays.luminaires().sampleUnshadowed(path.at, path.random, sample, known))
     this->addIfSeen(i, sample.target, sample.light);
   if (path.at.brdf)
     this->addWeighted(i, known);
@@ -203,7 +205,7 @@ void WavefrontGather::addLuminaires(std::size_t i)
 
 void WavefrontGather::addVertices(std::size_t i, int blockSize)
 {
-  if (this->Rays.alone())
+  if (this->Rays.pathsOnly())
     return;
   const double share = this->Rays.blockShare(this->Pool.trajectories, blockSize);
   this->addBlock(i, this->Pool.vertices->reflected, blockSize, share);
@@ -262,7 +264,7 @@ void WavefrontGather::addIfSeen(std::size_t i, const RayAnchor& target, const Ba
   // What is no number must not hide: it stops the run.
   if (!this->Rays.shadows() || std::isnan(light[0]))
     return this->addWeighted(i, light);
-  this->Shadows.push_back({path.at.anchor, target, path.alone});
+  this->Shadows.push_back({path.at.anchor, target, path.doublePrecision});
   this->PendingPath.push_back(i);
   for (std::size_t b = 0; b < this->Count; ++b)
     this->PendingContributions.push_back(path.throughput[b] * light[b]);

@@ -23,9 +23,9 @@ public:
 
   struct Start
   {
-    double share;        ///< gather rays of the sensor per trajectory that scores at it; infinite: no vertex does
-    bool seesEmission;   ///< add (1 - a) of the exitance where the first ray ends; false when it is known exactly
-    bool alone = false;  ///< the sensor lies in a gap: see isInGap()
+    double share;       ///< gather rays of the sensor per trajectory that scores at it; infinite: no vertex does
+    bool seesEmission;  ///< add (1 - a) of the exitance where the first ray ends; false when it is known exactly
+    bool doublePrecision = false;  ///< the sensor lies in a gap: see isInGap()
   };
 
   /// Adds a gather ray: it finds the share 1 - a of the light that reaches the sensor from surfaces, lx per band
@@ -39,7 +39,7 @@ public:
 
   /// Adds an estimate of all light at a sensor without BRDF but that of luminaires, lx per band: by a block of the
   /// pool's vertices, and by a gather ray that takes what these leave.
-  std::size_t indirectLight(const Sensor& sensor, bool alone, const SampleStream& random);
+  std::size_t indirectLight(const Sensor& sensor, bool doublePrecision, const SampleStream& random);
 
   /// Follows all rays to their ends.
   void run();
@@ -70,7 +70,7 @@ private:
     SampleStream random;
     Bands throughput;
     double share;
-    bool seesEmission, alone, first;
+    bool seesEmission, doublePrecision, first;
     DirectionSample sampled;
   };
   std::size_t add(const Sensor& sensor, const Start& start, const SampleStream& random, bool first);

@@ -7,8 +7,8 @@
 
 #include "estimator/kernel/VectorKernel.h"
 
-#ifndef kalos_estimator_VectorKernel_once
-#define kalos_estimator_VectorKernel_once
+#ifndef kalos_estimator_kernel_VectorKernel_once
+#define kalos_estimator_kernel_VectorKernel_once
 namespace kalos
 {
 namespace

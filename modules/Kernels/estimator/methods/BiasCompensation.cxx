@@ -78,13 +78,14 @@ double BiasCompensation::rayShare() const
 
 bool BiasCompensation::needsRays(const Sensor& sensor) const
 {
-  return this->Rays.alone() || !std::isfinite(this->Clearance) ||
+  return this->Rays.pathsOnly() || !std::isfinite(this->Clearance) ||
          !this->Scene_.clear(sensor.position, sensor.normal, this->Clearance);
 }
 
 double BiasCompensation::balance(std::size_t r, const Round& round) const
 {
-  return this->Rays.alone() ? std::numeric_limits<double>::infinity() : rayWorth * this->rays(r, round) / round.count;
+  return this->Rays.pathsOnly() ? std::numeric_limits<double>::infinity()
+                                : rayWorth * this->rays(r, round) / round.count;
 }
 
 Round BiasCompensation::trace(long long first, int count, int replicates, Workers& workers) const
@@ -105,7 +106,7 @@ void BiasCompensation::score(const std::vector<Sensor>& sensors, std::size_t beg
   {
     if (tally.converged(r))
       continue;
-    if (!this->Rays.alone())
+    if (!this->Rays.pathsOnly())
       this->scoreVertices(sensors[r], r, replicate, round, exactMeshes(r), tally);
     this->sendRays(sensors[r], r, replicate, round, exactMeshes(r), gathered);
   }
@@ -180,7 +181,7 @@ AuditLine BiasCompensation::audit(int replicates, const std::vector<double>& edg
                         static_cast<double>(this->Gathers.size() - gathering);
   std::ostringstream reason;
   reason << std::setprecision(3);
-  if (this->Rays.alone())
+  if (this->Rays.pathsOnly())
     reason << "they find all light; ";
   else if (std::isfinite(this->Clearance))
     reason << "where surfaces in front weigh as much as a wall within " << this->Clearance << " m; ";

@@ -69,7 +69,7 @@ std::vector<AuditLine> CompensatedEstimation::audit() const
 {
   std::vector<AuditLine> lines = this->Direct.audit();
   lines.push_back({"kernel", "compensated", "bounded and unbiased; more gather rays where surfaces are near"});
-  if (this->Light.gathering().alone())
+  if (this->Light.gathering().pathsOnly())
     lines.push_back(auditPaths());
   if (!this->Direct.complete())
     lines.push_back(this->Light.audit(this->Replicates, this->EdgeDistances));

@@ -68,7 +68,7 @@ bool FinalGathering::prepare(Workers& workers, Tally& tally)
 
 bool FinalGathering::sharesRays() const
 {
-  return !this->Rays.alone() && !this->Settings_.ownRays && this->MostlyDiffuse;
+  return !this->Rays.pathsOnly() && !this->Settings_.ownRays && this->MostlyDiffuse;
 }
 
 int FinalGathering::groupSize() const
@@ -78,9 +78,9 @@ int FinalGathering::groupSize() const
 
 int FinalGathering::trajectoriesPerRay() const
 {
-  constexpr int alone = 32, least = 16, most = 256;
+  constexpr int unshared = 32, least = 16, most = 256;
   if (!this->sharesRays())
-    return alone;
+    return unshared;
   int each = least;
   while (each < most && static_cast<double>(each) * each < 8 * static_cast<double>(this->Order.size()))
     each *= 2;
@@ -133,32 +133,33 @@ bool FinalGathering::addReplicates(Workers::Replicates some, std::vector<Replica
 {
   const int bands = this->Scene_.bands();
   const std::size_t tiles = tileCount(tally.receivers());
-  std::vector<Looks> looks(tiles * static_cast<std::size_t>(some.last - some.first));
-  auto looksOf = [&](std::size_t tile, int p) -> Looks& {
-    return looks[static_cast<std::size_t>(p - some.first) * tiles + tile];
+  std::vector<GatherHits> gathered(tiles * static_cast<std::size_t>(some.last - some.first));
+  auto hitsOf = [&](std::size_t tile, int p) -> GatherHits& {
+    return gathered[static_cast<std::size_t>(p - some.first) * tiles + tile];
   };
 
   // See where the rays end.
   nextPhase();
-  bool going = workers.forEachReplicate(
-      some, tiles, [&](int p, std::size_t tile) { this->look(tile, p, round[p], rays, looksOf(tile, p), tally); });
+  bool going = workers.forEachReplicate(some, tiles, [&](int p, std::size_t tile) {
+    this->traceGatherRays(tile, p, round[p], rays, hitsOf(tile, p), tally);
+  });
 
   // Sort the hits into cells, in the receivers' order, and estimate each cell at its representative.
   nextPhase();
   going = going && workers.forEachReplicate(some, 1, [&](int p, std::size_t) {
     const std::uint64_t seed = this->seedOfCells(p);
     for (std::size_t tile = 0; tile < tiles; ++tile)
-      for (SurfaceHit& hit : looksOf(tile, p).hits)
-        round[p].cache.add(hit, seed);
-    round[p].indirect.resize(round[p].cache.cells().size() * bands);
-    this->Checks[p].cells += static_cast<double>(round[p].cache.cells().size());
+      for (SurfaceHit& hit : hitsOf(tile, p).hits)
+        round[p].grid.add(hit, seed);
+    round[p].indirect.resize(round[p].grid.cells().size() * bands);
+    this->Checks[p].cells += static_cast<double>(round[p].grid.cells().size());
   });
   std::size_t chunks = 0;
   for (int p = some.first; p < some.last; ++p)
-    chunks = std::max(chunks, (round[p].cache.cells().size() + chunk - 1) / chunk);
+    chunks = std::max(chunks, (round[p].grid.cells().size() + chunk - 1) / chunk);
   nextPhase();
   going = going && workers.forEachReplicate(some, chunks, [&](int p, std::size_t part) {
-    const auto& cells = round[p].cache.cells();
+    const auto& cells = round[p].grid.cells();
     WavefrontGather wave(this->Rays, round[p].pool);
     const std::size_t begin = std::min(cells.size(), part * chunk), end = std::min(cells.size(), begin + chunk);
     for (std::size_t c = begin; c < end; ++c)
@@ -171,14 +172,14 @@ bool FinalGathering::addReplicates(Workers::Replicates some, std::vector<Replica
   // Light the receivers by what was found.
   nextPhase();
   going = going && workers.forEachReplicate(some, tiles, [&](int p, std::size_t tile) {
-    this->collect(tile, p, round[p], rays, looksOf(tile, p), tally, this->Checks[tile * this->Replicates + p]);
+    this->collect(tile, p, round[p], rays, hitsOf(tile, p), tally, this->Checks[tile * this->Replicates + p]);
     const std::size_t end = std::min(tally.receivers(), (tile + 1) * tileSize);
     for (std::size_t r = tile * tileSize; r < end; ++r)
       this->Direct.score(r, p, first, round[p].pool.trajectories, tally);
   });
   for (int p = some.first; p < some.last; ++p)
   {
-    round[p].cache = {};
+    round[p].grid = {};
     round[p].indirect = {};
   }
   return going;
@@ -209,9 +210,9 @@ AuditLine FinalGathering::auditNeighbours() const
     return {"neighbours", "groups of " + std::to_string(ReceiverGroup::capacity),
             "what a gather ray of one finds lights the others too, by a shadow ray each"};
   return {"neighbours", "each by itself",
-          this->Settings_.ownRays ? "as was asked for"
-          : this->Rays.alone()    ? "luminous surfaces are all around, and own rays are the better ones"
-                                  : "most surfaces are glossy, and their light is another for everyone"};
+          this->Settings_.ownRays  ? "as was asked for"
+          : this->Rays.pathsOnly() ? "luminous surfaces are all around, and own rays are the better ones"
+                                   : "most surfaces are glossy, and their light is another for everyone"};
 }
 
 std::vector<AuditLine> FinalGathering::audit() const
@@ -238,7 +239,7 @@ std::vector<AuditLine> FinalGathering::audit() const
   amount << std::showpos << std::setprecision(2) << scale * bias.mean << " +- " << std::noshowpos
          << scale * bias.standardError << " %";
   lines.push_back({"kernel", "gathered", "fast, with a bias that falls with the width of its cells"});
-  if (this->Rays.alone())
+  if (this->Rays.pathsOnly())
     lines.push_back(auditPaths());
   lines.push_back(this->auditNeighbours());
   lines.push_back({"cells", cells.str(), share.str()});

@@ -51,13 +51,13 @@ public:
 
 private:
   // What the rays of one tile and replicate have found in a round.
-  struct Looks
+  struct GatherHits
   {
     std::vector<SurfaceHit> hits;
     std::vector<std::size_t> ends;  // of each group's hits
   };
   // Rays of a group that go in one packet, and which of whose they are.
-  struct Sight
+  struct RayPacketBuffer
   {
     SegmentPacket packet;
     int finder[SegmentPacket::width], ray[SegmentPacket::width];
@@ -75,7 +75,7 @@ private:
   {
     GatherPool pool;
     float cellShare = 0;  // of the distance that a cell is seen from, its width
-    GatherHitGrid cache;
+    GatherHitGrid grid;
     std::vector<double> indirect;  // lx, bands() values per cell
   };
   // Luminous sums over the rays of one replicate and tile.
@@ -101,20 +101,21 @@ private:
   int trajectoriesPerRay() const;
   bool addReplicates(Workers::Replicates some, std::vector<Replicate>& round, long long first, int rays,
                      const std::function<void()>& nextPhase, Workers& workers, Tally& tally);
-  void look(std::size_t tile, int replicate, const Replicate& round, int rays, Looks& looks, Tally& tally) const;
-  void see(Sight& sight, const ReceiverGroup& group, int replicate, int each, const Replicate& round, Looks& looks,
-           ReceiverRays& unshared) const;
+  void traceGatherRays(std::size_t tile, int replicate, const Replicate& round, int rays, GatherHits& gathered,
+                       Tally& tally) const;
+  void tracePacket(RayPacketBuffer& buffer, const ReceiverGroup& group, int replicate, int each, const Replicate& round,
+                   GatherHits& gathered, ReceiverRays& unshared) const;
   // Where ray i of a packet has ended, and how far that is; false: nowhere.
-  bool meet(const Sensor& sensor, const SegmentPacket& packet, const HitPacket& found, int i, SurfaceHit& hit,
-            float& distance) const;
+  bool locateHit(const Sensor& sensor, const SegmentPacket& packet, const HitPacket& found, int i, SurfaceHit& hit,
+                 float& distance) const;
   std::uint64_t seedOfCells(int replicate) const;
   // The receivers of a tile in groups, those that do not rest.
   std::vector<ReceiverGroup> groups(std::size_t tile, const Tally& tally) const;
   Sensor at(const SurfaceHit& hit) const;
   void estimate(const SurfaceHit& hit, int replicate, WavefrontGather& wave) const;
   void lightByLamps(const SurfaceHit* hits, const Sensor* at, int count, SampleStream& random, Bands* light) const;
-  void collect(std::size_t tile, int replicate, const Replicate& round, int rays, const Looks& looks, Tally& tally,
-               Check& check) const;
+  void collect(std::size_t tile, int replicate, const Replicate& round, int rays, const GatherHits& gathered,
+               Tally& tally, Check& check) const;
   // A shared hit, and how much of it all receivers take.
   struct Probe
   {

@@ -22,8 +22,8 @@ void FinalGathering::lightByLamps(const SurfaceHit* hits, const Sensor* at, int 
     light[i] = this->Rays.luminaireLight(at[i], random);
 }
 
-void FinalGathering::collect(std::size_t tile, int replicate, const Replicate& round, int rays, const Looks& looks,
-                             Tally& tally, Check& check) const
+void FinalGathering::collect(std::size_t tile, int replicate, const Replicate& round, int rays,
+                             const GatherHits& gathered, Tally& tally, Check& check) const
 {
   const int bands = tally.bands();
   const std::uint64_t seed = mixBits(this->seedOfCells(replicate) + tile + 1);
@@ -36,14 +36,14 @@ void FinalGathering::collect(std::size_t tile, int replicate, const Replicate& r
   {
     Bands sum[width] = {}, emission[width] = {};
     double largest[width] = {};
-    for (const std::size_t end = looks.ends[g++]; i < end; ++i)
+    for (const std::size_t end = gathered.ends[g++]; i < end; ++i)
     {
-      const SurfaceHit& hit = looks.hits[i];
+      const SurfaceHit& hit = gathered.hits[i];
       if (i % width == 0)
       {
         // Each hit draws a luminaire of its own; a packet of them shares a stream of random numbers.
         SampleStream random(Sampling::Independent, seed, static_cast<std::uint64_t>(replicate), Purpose::Gather, i);
-        const int count = static_cast<int>(std::min<std::size_t>(width, looks.hits.size() - i));
+        const int count = static_cast<int>(std::min<std::size_t>(width, gathered.hits.size() - i));
         for (int k = 0; k < count; ++k)
           at[k] = this->at((&hit)[k]);
         this->lightByLamps(&hit, at, count, random, lamps);
@@ -77,7 +77,7 @@ void FinalGathering::collect(std::size_t tile, int replicate, const Replicate& r
         largest[k] = all >= 0 ? std::max(largest[k], all) : std::numeric_limits<double>::quiet_NaN();  // to stay
         check.sum += all;
       }
-      if (round.cache.cells()[hit.cell].hits < 2)
+      if (round.grid.cells()[hit.cell].hits < 2)
         continue;
       check.shared += 1;
       if (static_cast<long long>(check.shared) % checkEvery == checkEvery / 2)

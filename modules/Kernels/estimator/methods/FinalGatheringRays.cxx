@@ -12,13 +12,13 @@ namespace
 {
 constexpr int width = SegmentPacket::width;
 
-constexpr WavefrontGather::Start wholeLight(bool seesEmission, bool alone)
+constexpr WavefrontGather::Start wholeLight(bool seesEmission, bool doublePrecision)
 {
-  return {std::numeric_limits<double>::infinity(), seesEmission, alone};
+  return {std::numeric_limits<double>::infinity(), seesEmission, doublePrecision};
 }
 
 // What others find does not serve it.
-bool looksByItself(const Sensor& sensor)
+bool sharesNoHits(const Sensor& sensor)
 {
   return sensor.brdf || sensor.anchor.crowded;
 }
@@ -38,7 +38,7 @@ std::vector<ReceiverGroup> FinalGathering::groups(std::size_t tile, const Tally&
   for (std::size_t i = tile * tileSize; i < std::min(sensors.size(), (tile + 1) * tileSize); ++i)
   {
     const std::size_t r = this->Order[i];
-    if (tally.converged(r) || looksByItself(sensors[r]))
+    if (tally.converged(r) || sharesNoHits(sensors[r]))
       continue;
     if (found.empty() || found.back().size() == this->groupSize())
       found.emplace_back();
@@ -55,8 +55,8 @@ int FinalGathering::raysOfEach(const ReceiverGroup& group, int rays) const
   return rays * this->groupSize() / size;
 }
 
-void FinalGathering::look(std::size_t tile, int replicate, const Replicate& round, int rays, Looks& looks,
-                          Tally& tally) const
+void FinalGathering::traceGatherRays(std::size_t tile, int replicate, const Replicate& round, int rays,
+                                     GatherHits& gathered, Tally& tally) const
 {
   const auto& sensors = this->Direct.sensors();
   const std::uint64_t key =
@@ -66,11 +66,11 @@ void FinalGathering::look(std::size_t tile, int replicate, const Replicate& roun
   const GatherPattern pattern(this->Settings_.sampling, key, first, count);
   ReceiverRays unshared(this->Rays, round.pool, replicate, tally);
   SegmentPacket drawn;
-  Sight sight;
+  RayPacketBuffer buffer;
   for (std::size_t i = tile * tileSize; i < std::min(sensors.size(), (tile + 1) * tileSize); ++i)
   {
     const std::size_t r = this->Order[i];
-    if (tally.converged(r) || !looksByItself(sensors[r]))
+    if (tally.converged(r) || !sharesNoHits(sensors[r]))
       continue;
     const Walks walks = this->Settings_.walks().ofReceiver(r);
     for (long long k = first; k < first + count; ++k)
@@ -95,19 +95,19 @@ void FinalGathering::look(std::size_t tile, int replicate, const Replicate& roun
         const int finder = pattern.place(i) / each;
         if (finder >= group.size())
           continue;
-        sight.add(drawn, i - begin, finder, pattern.place(i) % each);
-        if (sight.count == width)
-          this->see(sight, group, replicate, each, round, looks, unshared);
+        buffer.add(drawn, i - begin, finder, pattern.place(i) % each);
+        if (buffer.count == width)
+          this->tracePacket(buffer, group, replicate, each, round, gathered, unshared);
       }
     }
-    this->see(sight, group, replicate, each, round, looks, unshared);
-    looks.ends.push_back(looks.hits.size());
+    this->tracePacket(buffer, group, replicate, each, round, gathered, unshared);
+    gathered.ends.push_back(gathered.hits.size());
   }
   unshared.finish();
 }
 
-bool FinalGathering::meet(const Sensor& sensor, const SegmentPacket& packet, const HitPacket& found, int i,
-                          SurfaceHit& hit, float& distance) const
+bool FinalGathering::locateHit(const Sensor& sensor, const SegmentPacket& packet, const HitPacket& found, int i,
+                               SurfaceHit& hit, float& distance) const
 {
   const float d[3] = {packet.dx[i], packet.dy[i], packet.dz[i]};
   distance = found.distance[i];
@@ -136,38 +136,38 @@ bool FinalGathering::meet(const Sensor& sensor, const SegmentPacket& packet, con
   return true;
 }
 
-void FinalGathering::see(Sight& sight, const ReceiverGroup& group, int replicate, int each, const Replicate& round,
-                         Looks& looks, ReceiverRays& unshared) const
+void FinalGathering::tracePacket(RayPacketBuffer& buffer, const ReceiverGroup& group, int replicate, int each,
+                                 const Replicate& round, GatherHits& gathered, ReceiverRays& unshared) const
 {
-  if (sight.count == 0)
+  if (buffer.count == 0)
     return;
-  const SegmentPacket& packet = sight.packet;
+  const SegmentPacket& packet = buffer.packet;
   HitPacket found;
-  this->Scene_.rays().intersect(packet, sight.count, found);
-  for (int i = 0; i < sight.count; ++i)
+  this->Scene_.rays().intersect(packet, buffer.count, found);
+  for (int i = 0; i < buffer.count; ++i)
   {
-    const std::size_t r = group.receiver(sight.finder[i]);
+    const std::size_t r = group.receiver(buffer.finder[i]);
     const Sensor& sensor = this->Direct.sensors()[r];
     const Vec3 direction{packet.dx[i], packet.dy[i], packet.dz[i]};
     SurfaceHit hit;
     float distance;
-    if (!this->meet(sensor, packet, found, i, hit, distance))
+    if (!this->locateHit(sensor, packet, found, i, hit, distance))
       continue;
-    hit.finder = static_cast<std::uint8_t>(sight.finder[i]);
+    hit.finder = static_cast<std::uint8_t>(buffer.finder[i]);
     const std::uint32_t triangle = hit.side / 2;
     if (this->Scene_.brdf(triangle).isLambertian())
     {
       hit.cell = cellKey(this->Faces[triangle], hit, distance, round.cellShare);
-      looks.hits.push_back(hit);
+      gathered.hits.push_back(hit);
       continue;
     }
     const Walks walks{this->Settings_.seed, Sampling::Independent};
     unshared.follow(
         r, each, sensor, direction, this->Scene_.trace(sensor.anchor, direction),
         wholeLight(!this->Direct.exactMeshes(r), false),
-        walks.ofReceiver(r).stream(replicate, Purpose::Gather, this->RaysDone * this->groupSize() + sight.ray[i]));
+        walks.ofReceiver(r).stream(replicate, Purpose::Gather, this->RaysDone * this->groupSize() + buffer.ray[i]));
   }
-  sight.count = 0;
+  buffer.count = 0;
 }
 
 Sensor FinalGathering::at(const SurfaceHit& hit) const

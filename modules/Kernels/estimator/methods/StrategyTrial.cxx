@@ -58,9 +58,9 @@ public:
 
   Found run()
   {
-    const bool paths = this->Light.gathering().alone();
-    const Ranks alone;
-    Workers workers(1, {}, alone);  // on this thread, which counts its rays
+    const bool paths = this->Light.gathering().pathsOnly();
+    const Ranks oneProcess;
+    Workers workers(1, {}, oneProcess);  // on this thread, which counts its rays
     Tally tally(this->Scene_, this->Sensors.size(), replicates);
     this->Light.prepare(this->Sensors, workers);
     const long long start = raysOfThisThread();

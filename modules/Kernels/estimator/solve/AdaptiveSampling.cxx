@@ -26,13 +26,13 @@ AdaptiveSampling::AdaptiveSampling(const Goal& goal, const Tally& pilot)
   }
 }
 
-std::vector<char> AdaptiveSampling::resting(const Goal& goal, const Tally& tally, long long done) const
+std::vector<char> AdaptiveSampling::converged(const Goal& goal, const Tally& tally, long long done) const
 {
   const std::vector<double> distances = goal.distances(tally, done);
-  std::vector<char> rest;
+  std::vector<char> reached;
   for (std::size_t r = 0; r < distances.size(); ++r)
-    rest.push_back(static_cast<double>(done) >= this->Needed[r] && distances[r] <= 1);
-  return rest;
+    reached.push_back(static_cast<double>(done) >= this->Needed[r] && distances[r] <= 1);
+  return reached;
 }
 
 std::unique_ptr<AdaptiveSampling> planEffort(const Scene& scene, const Receivers& receivers, const Settings& settings,

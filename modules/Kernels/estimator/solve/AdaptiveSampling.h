@@ -27,8 +27,8 @@ public:
   /// Trajectories of every replicate that a receiver needs, by the pilot; those of neighbours in order are averaged.
   const std::vector<double>& needed() const { return this->Needed; }
 
-  /// Which receivers rest after `done` trajectories of every replicate: see Tally::rest().
-  std::vector<char> resting(const Goal& goal, const Tally& tally, long long done) const;
+  /// Which receivers rest after `done` trajectories of every replicate: see Tally::setConverged().
+  std::vector<char> converged(const Goal& goal, const Tally& tally, long long done) const;
 
 private:
   std::vector<double> Needed;

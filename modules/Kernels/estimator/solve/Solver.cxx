@@ -174,8 +174,8 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
   neighbourhood(scene, settings, 0);  // refuses delta and epsilon without meaning for every method alike
   const bool goal = settings.relativeError > 0 || settings.seconds > 0;
   const long long limit = settings.trajectories ? settings.trajectories : goal ? unlimited : defaultTrajectories;
-  const Ranks alone;
-  const Ranks& ranks = settings.ranks ? *settings.ranks : alone;
+  const Ranks oneProcess;
+  const Ranks& ranks = settings.ranks ? *settings.ranks : oneProcess;
   std::unique_ptr<Estimator> estimator;
   ranks.together([&] { return (estimator = makeEstimator(scene, receivers, settings)) != nullptr; });
   const int replicates = estimator->replicates(goal ? 32 : limit);
@@ -214,7 +214,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
     if (!running)
       break;
     if (plan)
-      tally.rest(plan->resting(schedule.goal(), tally, done));
+      tally.setConverged(plan->converged(schedule.goal(), tally, done));
     const int count = schedule.next(done, ranks.agree(result.seconds), tally);
     if (count <= 0)
       break;
@@ -226,9 +226,9 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
     {
       tally.exchange(ranks);
       if (done > 0)
-        tally.keepResting(done, count);
+        tally.keepConverged(done, count);
       estimator->exchange(ranks);
-      guardScores(tally, scene, receivers, settings, done, count);
+      checkFinite(tally, scene, receivers, settings, done, count);
       conclude(tally, done += count, *estimator, schedule.goal(), settings.keepReplicates, result);
       clock();
       checkpoint.keep({done, result.seconds, result.cpuSeconds, result.rays, planned}, tally, *estimator);
@@ -282,8 +282,8 @@ Replay replay(const Scene& scene, const Receivers& receivers, const Settings& se
   require(replicate >= 0 && replicate < found.replicates, "replicate " + std::to_string(replicate) +
                                                               " is not there; expected 0 to " +
                                                               std::to_string(found.replicates - 1));
-  const Ranks alone;
-  Workers workers(settings.threads, {}, alone);
+  const Ranks oneProcess;
+  Workers workers(settings.threads, {}, oneProcess);
   Tally tally(scene, receivers.points.size(), found.replicates);
   Schedule schedule(settings, tally, estimator->pace(), limit, false);
   estimator->prepare(workers, tally);

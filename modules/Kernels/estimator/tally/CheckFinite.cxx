@@ -48,7 +48,7 @@ std::string culprit(const Scene& scene, const Settings& settings, int replicate,
 }
 }  // namespace
 
-void guardScores(const Tally& tally, const Scene& scene, const Receivers& receivers, const Settings& settings,
+void checkFinite(const Tally& tally, const Scene& scene, const Receivers& receivers, const Settings& settings,
                  long long first, int count)
 {
   for (std::size_t r = 0; r < tally.receivers(); ++r)

@@ -13,7 +13,7 @@ namespace kalos
 /// After a round of trajectories [first, first + count) of every replicate: throws std::runtime_error when a score was
 /// infinite, negative or not a number. The message names receiver and replicate, and the trajectory and vertex that
 /// it came from, found by tracing the round of that replicate again.
-void guardScores(const Tally& tally, const Scene& scene, const Receivers& receivers, const Settings& settings,
+void checkFinite(const Tally& tally, const Scene& scene, const Receivers& receivers, const Settings& settings,
                  long long first, int count);
 }  // namespace kalos
 

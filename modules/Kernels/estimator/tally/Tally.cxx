@@ -14,10 +14,10 @@ Tally::Tally(const Scene& scene, std::size_t receivers, int replicates)
       Energy(scene, replicates),
       Fixed(receivers * BandCount),
       Total(receivers * replicates * BandCount),
-      ReceiverDirectLight(receivers * replicates * BandCount),
+      Direct(receivers * replicates * BandCount),
       Correction(receivers * replicates),
       Largest(receivers * replicates),
-      Resting(receivers),
+      Converged(receivers),
       Missed(receivers),
       Active(receivers)
 {
@@ -35,19 +35,19 @@ void Tally::exchange(const Ranks& ranks)
         for (std::size_t b = i * this->BandCount; b < (i + 1) * this->BandCount; ++b)
         {
           visit(this->Total[b]);
-          visit(this->ReceiverDirectLight[b]);
+          visit(this->Direct[b]);
         }
       }
   });
 }
 
-void Tally::rest(std::vector<char> receivers)
+void Tally::setConverged(std::vector<char> receivers)
 {
-  this->Resting = std::move(receivers);
-  this->Active = static_cast<std::size_t>(std::count(this->Resting.begin(), this->Resting.end(), 0));
+  this->Converged = std::move(receivers);
+  this->Active = static_cast<std::size_t>(std::count(this->Converged.begin(), this->Converged.end(), 0));
 }
 
-void Tally::keepResting(long long first, int count)
+void Tally::keepConverged(long long first, int count)
 {
   // Sums are divided by all trajectories: they grow as if the missed ones had scored like those before.
   const double grown = static_cast<double>(first + count) / static_cast<double>(first);
@@ -75,15 +75,14 @@ bool Tally::sound(std::size_t receiver, int replicate) const
   const std::size_t i = this->at(receiver, replicate);
   bool finite = std::isfinite(this->Largest[receiver * this->Replicates + replicate]);
   for (int b = 0; b < this->BandCount; ++b)
-    finite = finite && std::isfinite(this->Total[i + b]) && std::isfinite(this->ReceiverDirectLight[i + b]) &&
+    finite = finite && std::isfinite(this->Total[i + b]) && std::isfinite(this->Direct[i + b]) &&
              std::isfinite(this->Fixed[receiver * this->BandCount + b]);
   return finite;
 }
 
 void Tally::persist(Archive& archive)
 {
-  for (std::vector<double>* sums :
-       {&this->Fixed, &this->Total, &this->ReceiverDirectLight, &this->Correction, &this->Largest})
+  for (std::vector<double>* sums : {&this->Fixed, &this->Total, &this->Direct, &this->Correction, &this->Largest})
     archive.array(*sums);
   archive.array(this->Missed);
   this->Energy.persist(archive);
@@ -96,7 +95,7 @@ std::vector<double> Tally::estimates(std::size_t receiver, long long n, bool ind
   for (int p = 0; p < this->Replicates; ++p)
   {
     const std::size_t i = this->at(receiver, p);
-    const double direct = indirectOnly ? photometric(&this->ReceiverDirectLight[i], this->BandCount) : 0;
+    const double direct = indirectOnly ? photometric(&this->Direct[i], this->BandCount) : 0;
     all[p] = fixed + (photometric(&this->Total[i], this->BandCount) - direct) / static_cast<double>(n);
   }
   return all;
@@ -153,7 +152,7 @@ void Tally::write(long long n, Result& result) const
       for (int p = 0; p < this->Replicates; ++p)
       {
         total += this->Total[this->at(r, p) + b];
-        first += this->ReceiverDirectLight[this->at(r, p) + b];
+        first += this->Direct[this->at(r, p) + b];
       }
       const double fixed = this->Fixed[r * this->BandCount + b];
       result.illuminanceBands[r * this->BandCount + b] = fixed + total / samples;

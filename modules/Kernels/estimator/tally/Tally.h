@@ -28,10 +28,7 @@ public:
 
   double* fixed(std::size_t receiver) { return &this->Fixed[receiver * this->BandCount]; }  ///< lx, bands() values
   double* total(std::size_t receiver, int replicate) { return &this->Total[this->at(receiver, replicate)]; }
-  double* direct(std::size_t receiver, int replicate)
-  {
-    return &this->ReceiverDirectLight[this->at(receiver, replicate)];
-  }
+  double* direct(std::size_t receiver, int replicate) { return &this->Direct[this->at(receiver, replicate)]; }
 
   /// What becomes of the light of the trajectories of a replicate.
   EnergySums& energy(int replicate) { return this->Energy.of(replicate); }
@@ -68,12 +65,12 @@ public:
   void exchange(const Ranks& ranks);
 
   /// Receivers that take no part in the coming rounds, 1 each, estimators skip them; their estimates stay.
-  void rest(std::vector<char> receivers);
-  bool converged(std::size_t receiver) const { return this->Resting[receiver] != 0; }
+  void setConverged(std::vector<char> receivers);
+  bool converged(std::size_t receiver) const { return this->Converged[receiver] != 0; }
   std::size_t active() const { return this->Active; }
 
   /// After a round of trajectories [first, first + count): who rested keeps the estimate of the first ones.
-  void keepResting(long long first, int count);
+  void keepConverged(long long first, int count);
 
   /// Of n trajectories of a replicate, those that the receiver took part in.
   long long trajectories(std::size_t receiver, long long n) const { return n - this->Missed[receiver]; }
@@ -106,8 +103,8 @@ private:
   std::size_t Receivers;
   int Replicates, BandCount;
   EnergyBalance Energy;
-  std::vector<double> Fixed, Total, ReceiverDirectLight, Correction, Largest;
-  std::vector<char> Resting;      // per receiver
+  std::vector<double> Fixed, Total, Direct, Correction, Largest;
+  std::vector<char> Converged;    // per receiver
   std::vector<long long> Missed;  // trajectories of a replicate while it rested
   std::size_t Active;
 };
