@@ -214,5 +214,5 @@ TEST(Replay, RefusesWhatIsNotThere)
   EXPECT_EQ(message(0, 32, 0), "replay: replicate 32 is not there; expected 0 to 31");
   EXPECT_EQ(message(0, 0, 0.1),
             "replay: the solve has a goal, so that its rounds depend on all receivers; expected "
-            "trajectories alone");
+            "only trajectories");
 }

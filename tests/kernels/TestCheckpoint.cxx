@@ -144,7 +144,7 @@ TEST(Checkpoint, ResumedSolvesGiveBitwiseTheSameNumbers)
   }
 }
 
-// With a goal, receivers rest that have enough: who does is the same again.
+// With a goal, receivers that reached it are skipped: the same ones after a resume.
 TEST(Checkpoint, ResumedSolvesLetTheSameReceiversRest)
 {
   for (const Method method : {Method::Compensated, Method::Gathered})
@@ -272,7 +272,7 @@ TEST(Checkpoint, WhatNoSolveHasWrittenIsRefused)
   const long long trajectories = -1;  // the first value of a state
   std::memcpy(&backwards[0], &trajectories, sizeof trajectories);
   EXPECT_EQ(said(backwards),
-            "shelf: checkpoint: counts what no solve can have done; expected trajectories, rays and seconds from 0 on");
+            "shelf: checkpoint: has impossible counts; expected trajectories, rays and seconds from 0 on");
 }
 
 // A message is one line, whatever bytes were sealed.

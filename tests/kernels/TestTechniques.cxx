@@ -154,8 +154,9 @@ TEST(TechniqueNames, AreListedWhenOneIsWrong)
   }
   catch (const std::invalid_argument& error)
   {
-    EXPECT_STREQ(error.what(),
-                 "without: 'walls' is no saving, expected some of stratified, picked, convex, near, paths, neighbours, "
-                 "effort, exact-direct");
+    EXPECT_STREQ(
+        error.what(),
+        "without: 'walls' is not a technique, expected some of stratified, picked, convex, near, paths, neighbours, "
+        "effort, exact-direct");
   }
 }

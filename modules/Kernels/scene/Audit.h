@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Looks at a scene before it is solved and says what needs to be modelled.
+// Checks before a solve which effects the scene needs.
 #ifndef kalos_scene_Audit_h
 #define kalos_scene_Audit_h
 
@@ -13,10 +13,10 @@ struct Audit
   /// luminaires lie in the hull, so that nothing can stand between any two of them.
   bool unoccluded = false;
   std::uint32_t emittingTriangles = 0;
-  bool reflects = false;  ///< some surface does
+  bool reflects = false;  ///< some surface reflects
 };
 
-/// `receivers` in scene coordinates. Looks for a convex hull only where that takes well under a second.
+/// `receivers` in scene coordinates. Tests for a convex hull only where that takes well under a second.
 Audit auditScene(const Scene& scene, const std::vector<Vec3>& receivers);
 }  // namespace kalos
 

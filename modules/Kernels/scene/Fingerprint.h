@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A number that tells scenes apart, and bytes.
+// A 64-bit hash of scenes and bytes.
 #ifndef kalos_scene_Fingerprint_h
 #define kalos_scene_Fingerprint_h
 

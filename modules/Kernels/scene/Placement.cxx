@@ -10,13 +10,13 @@ struct Touched
 {
   std::uint32_t triangle;
   Vec3 corner, normal;
-  double reaches = 0;  // m, single precision may miss the plane by so much
+  double reaches = 0;  // m, error of the plane in single precision
 
   double height(const Vec3& p) const { return dot(p - this->corner, this->normal); }
 };
 
-// What the coordinates of p may be rounded by along n: by double precision in the world, or by single precision where
-// that is finer than what rays can tell apart.
+// The rounding error of p along n: of single precision for the smaller of its scene and world coordinates, plus double
+// precision for its world coordinates.
 double inputRounding(const Scene& scene, const Vec3& p, const Vec3& n)
 {
   const Vec3 world = p + scene.origin();
@@ -35,7 +35,7 @@ public:
       found.push_back(t);
       return true;
     });
-    std::sort(found.begin(), found.end());  // what is found in no order must not decide
+    std::sort(found.begin(), found.end());  // sorted, because the search returns no fixed order
     for (const std::uint32_t t : found)
     {
       const RayAnchor anchor = scene.anchor(t, p, scene.normal(t));
@@ -84,8 +84,8 @@ public:
   }
 
 private:
-  // How far off `from` the receiver goes: so far that single precision sees it there, but less than half the way to
-  // what it then comes nearer to.
+  // How far the receiver moves away from `from`: enough for single precision, but less than half the way to the next
+  // surface.
   double room(const Touched& from, const Vec3& p, double side) const
   {
     double room = 1.5 * from.reaches;

@@ -6,9 +6,9 @@ namespace kalos
 namespace
 {
 constexpr int width = SegmentPacket::width;
-constexpr double far = 250;  // times what a start is lifted
+constexpr double far = 250;  // times the lift of the start
 
-// The rays that a packet takes, and who they are.
+// The rays of a packet and their indices.
 struct Packet
 {
   SegmentPacket segments;
@@ -16,7 +16,7 @@ struct Packet
   int count = 0;
 };
 
-// Ends the rays of a packet, but for those that single precision can not decide.
+// Stores the hits of a packet; retraces in double precision where single precision is not accurate enough.
 void trace(const Scene& scene, Packet& packet, std::vector<PathRay>& rays)
 {
   HitPacket hits;
@@ -25,7 +25,7 @@ void trace(const Scene& scene, Packet& packet, std::vector<PathRay>& rays)
   {
     PathRay& ray = rays[packet.ray[i]];
     const auto distance = static_cast<double>(hits.distance[i]);
-    // What meets nothing may have slipped between two triangles.
+    // A miss may have slipped between two triangles.
     if (hits.triangle[i] == HitPacket::noTriangle || !isFarFrom(ray.start, distance * distance))
       ray.end = scene.trace(ray.start, ray.direction);
     else

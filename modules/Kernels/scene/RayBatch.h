@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays from anywhere to anywhere, together: sixteen at a time in single precision where that decides as well, one by
-// one in double precision where it does not.
+// Batches of arbitrary rays: packets of sixteen in single precision where that is accurate enough, single rays in
+// double precision elsewhere.
 //
-// In a furnished room of 36 triangles, rays without any order: first hits 130 to 160 ns each (300 to 360 alone), shadow
-// rays 115 to 125 ns (390 to 590 alone).
+// In a furnished room of 36 triangles, rays without any order: first hits take 130 to 160 ns each (300 to 360 as single
+// rays), shadow rays 115 to 125 ns (390 to 590).
 #ifndef kalos_scene_RayBatch_h
 #define kalos_scene_RayBatch_h
 
@@ -11,17 +11,17 @@
 
 namespace kalos
 {
-/// Whether something `distance` away is seen from the start of a ray, or sees it, as from a point lifted off its
-/// surface: then single precision serves. What lies nearer decides in double precision.
+/// Whether a point at this distance is so far from the start of a ray that single precision suffices, with the start
+/// lifted off its surface. Nearer points need double precision.
 bool isFarFrom(const RayAnchor& start, double squaredDistance);
 
-/// The squared distance, m2, from which on it is.
+/// The smallest squared distance, m2, for which isFarFrom() holds.
 double squaredNearness(const RayAnchor& start);
 
 /// Whether a surface point that a ray from `start` has met is crowded by the surface that the ray left.
 bool crowds(const RayAnchor& start, double squaredDistance);
 
-/// Whether a surface faces the anchor so near that all its rays must be traced alone: the point lifted off its own
+/// Whether a surface faces the anchor so near that all its rays need double precision: the point lifted off its own
 /// surface might lie beyond the other.
 bool isInGap(const Scene& scene, const RayAnchor& anchor);
 
@@ -29,7 +29,7 @@ struct PathRay
 {
   RayAnchor start;
   Vec3 direction;        ///< unit
-  bool doublePrecision;  ///< in double precision, whatever it meets
+  bool doublePrecision;  ///< trace singly in double precision, whatever the distance
   SurfacePoint end;
 };
 

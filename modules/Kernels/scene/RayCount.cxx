@@ -11,12 +11,12 @@ namespace
 {
 struct Counter;
 
-// Never destroyed, so that threads may end after it would have been.
+// Never destroyed, so that threads may end during program exit.
 struct Registry
 {
   std::mutex mutex;
   std::set<const Counter*> counters;
-  long long ended = 0;  // rays of threads that are no more
+  long long ended = 0;  // rays of threads that have ended
 };
 
 Registry& registry()

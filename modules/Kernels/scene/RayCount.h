@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How many rays have been traced, at next to no cost: every thread counts its own.
+// Counts traced rays at almost no cost: every thread has its own counter.
 #ifndef kalos_scene_RayCount_h
 #define kalos_scene_RayCount_h
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Embree 3 and 4, and nothing else of Kalos knows them.
+// Supports Embree 3 and 4; no other file of Kalos uses Embree.
 #include "scene/RayScene.h"
 
 #if KALOS_EMBREE_VERSION >= 4
@@ -84,7 +84,7 @@ RTCRay makeRay(const Vec3& origin, const Vec3& direction, float far)
 // The first `count` segments as rays that end `far` of their lengths away.
 void fill(const SegmentPacket& segments, int count, float far, int* valid, RTCRay16& rays)
 {
-  // Embree with assertions, as Debian has it, wants numbers in lanes that are not valid, too.
+  // Embree with assertions, as in Debian, needs finite numbers in invalid lanes too.
   auto copy = [count](const float* from, float* to) {
     std::fill(std::copy_n(from, count, to), to + SegmentPacket::width, *from);
   };
@@ -150,7 +150,7 @@ struct RayScene::Embree
 {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  std::vector<Vec3> points;  // in double precision, for what single precision can not decide
+  std::vector<Vec3> points;  // in double precision, for tests that single precision cannot decide
   std::vector<Triangle> triangles;
   double extent = 0;  // m, largest coordinate
 
@@ -188,7 +188,7 @@ struct RayScene::Embree
 RayScene::Embree::Query RayScene::Embree::ask(const RayAnchor& start, const Vec3& direction, const RayAnchor* end,
                                               RTCRay& ray) const
 {
-  // Further than single precision errs.
+  // More than the error of single precision.
   const double beyond = 0x1.0p-20 * std::max(this->extent, maxAbs(start.point)) / (length(direction) + 1e-30);
   const double far = end ? 1 + 2 * beyond : std::numeric_limits<double>::infinity();
   ray = makeRay(start.point - beyond * direction, direction, static_cast<float>(far));
@@ -280,9 +280,9 @@ RayScene::RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>&
   Embree& e = *this->Impl;
   e.device = rtcNewDevice(nullptr);
   if (!e.device)
-    throw std::runtime_error("Embree can not be started on this processor");
+    throw std::runtime_error("Embree cannot start on this processor");
   e.scene = rtcNewScene(e.device);
-  // Robust: no leaks through shared edges.
+  // Robust mode: no leaks through shared edges.
   rtcSetSceneFlags(e.scene, RTC_SCENE_FLAG_ROBUST | filterFlag);
   e.points = points;
   e.triangles = triangles;
@@ -315,8 +315,7 @@ RayScene::RayScene(const std::vector<Vec3>& points, const std::vector<Triangle>&
   }
   rtcCommitScene(e.scene);
   if (rtcGetDeviceError(e.device) != RTC_ERROR_NONE)
-    throw std::runtime_error("Embree can not build the ray scene of " + std::to_string(triangles.size()) +
-                             " triangles");
+    throw std::runtime_error("Embree cannot build the ray scene of " + std::to_string(triangles.size()) + " triangles");
 }
 
 RayScene::~RayScene() = default;
@@ -338,7 +337,8 @@ Hit RayScene::Embree::first(const RayAnchor& start, const Vec3& direction) const
 Hit RayScene::intersect(const RayAnchor& start, const Vec3& direction) const
 {
   const Hit hit = this->Impl->first(start, direction);
-  // Of the rays that aim at a vertex 2e-4 slip between the triangles about it: what misses looks again a hair aside.
+  // Of the rays aimed at a vertex, 2e-4 slip between its triangles, so a miss is retraced with a slightly perturbed
+  // direction.
   if (hit.valid)
     return hit;
   return this->Impl->first(start, direction + 0x1.0p-19 * length(direction) * Frame(normalized(direction)).s);

@@ -25,7 +25,7 @@ struct Hit
 /// Where a ray starts or ends: at a point in free space, or at a point of a surface, whose own triangle it must not
 /// meet. A single ray decides in double precision which triangles lie between its ends, so that it leaves a gap of any
 /// width; but to triangles nearly parallel to the surface it reaches to lifted() only: models hold layers that nearly
-/// coincide. Rays in packets are in single precision: both ends are lifted by what single precision may err, which
+/// coincide. Rays in packets are in single precision: both ends are lifted by the error of single precision, which
 /// depends on the coordinates of the surface and of *both* ends, see Scene::anchor().
 struct RayAnchor
 {
@@ -34,7 +34,7 @@ struct RayAnchor
   double base = 0;   ///< m, lift for the coordinates of the surface
   double slope = 0;  ///< lift for each metre of the ends' coordinates along the normal
   /// Other surfaces are so near that single precision cannot tell on which side of them the anchor lies: single rays
-  /// meet these in double precision, packets must not be used.
+  /// test these in double precision; packets must not be used.
   bool crowded = false;
 
   RayAnchor() = default;
@@ -145,8 +145,8 @@ public:
   /// precision.
   void crossings(const Vec3& a, const Vec3& b, const std::function<void(std::uint32_t)>& visit) const;
 
-  /// Calls `visit(triangle)` for every triangle whose bounding box comes within `radius` of p, possibly for some more;
-  /// no longer than a little after it returned false.
+  /// Calls `visit(triangle)` for every triangle whose bounding box comes within `radius` of p, possibly for some more.
+  /// It may be called a few more times after it returned false.
   void nearby(const Vec3& p, double radius, const std::function<bool(std::uint32_t)>& visit) const;
 
 private:

@@ -216,8 +216,9 @@ bool Scene::isOver(std::uint32_t t, const Vec3& p, double reach) const
 
 bool Scene::clear(const Vec3& p, const Vec3& n, double radius) const
 {
-  constexpr int enough = 2000;  // triangles to look at: a fine mesh behind the sensor must not cost more than rays do
-  const double touch = 4 * this->contact(p);  // what reaches no higher is of the sensor's own surface
+  constexpr int enough =
+      2000;  // triangles to test; more would cost more than gather rays, for example with a fine mesh behind the sensor
+  const double touch = 4 * this->contact(p);  // lower triangles belong to the sensor's own surface
   const double limit = rightAngle / (radius * radius);
   bool clear = true;
   int seen = 0;

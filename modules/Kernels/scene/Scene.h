@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything the estimators need to know of a lit scene, in coordinates about the scene's centre.
+// The scene as the estimators use it, in coordinates about its centre.
 #ifndef kalos_scene_Scene_h
 #define kalos_scene_Scene_h
 
@@ -40,7 +40,7 @@ struct SurfacePoint
 class Scene
 {
 public:
-  /// Moves the origin to the centre of the bounding box: single precision rays then serve a hall 1 km away.
+  /// Moves the origin to the centre of the bounding box: rays in single precision then work even for a hall 1 km away.
   /// Throws std::invalid_argument on inconsistent sizes, non-finite numbers and degenerate triangles.
   explicit Scene(SceneDescription description);
 
@@ -103,7 +103,7 @@ public:
   /// shines into the room.
   const RayAnchor& luminaireAnchor(std::size_t i) const { return this->LuminaireAnchors[i]; }
 
-  /// m: a point so near to a surface may be meant to lie on it.
+  /// Distance, m, below which a point may be meant to lie on a surface.
   double contact(const Vec3& p) const { return roundingScale * (maxAbs(p) + 0.05 * this->Size); }
 
   /// Whether p, near the plane of a triangle, lies over it or within `reach` (m) of its border.
@@ -111,7 +111,7 @@ public:
 
   /// Whether every surface on the side of the unit normal n of the sensor at p is `radius` away, or has nowhere a
   /// larger kernel with it than a wall at right angles which is: pi G <= sqrt(27)/16 / radius^2. So a wall that leans
-  /// away is clear at less. Never true by mistake; may be false where a surface that reaches to that side is so near on
+  /// away is clear at less. Conservative: it may be false where a surface that reaches to that side is so near on
   /// the other, or where thousands of triangles are so near.
   bool clear(const Vec3& p, const Vec3& n, double radius) const;
 
@@ -120,7 +120,7 @@ private:
 
   // An anchor at p lifted off all surfaces of normal n that come within `radius` of p, and by contact(p) at least.
   RayAnchor anchorWithin(const Vec3& p, const Vec3& n, double radius) const;
-  // What rays are lifted at a triangle: m for its own coordinates, and for each metre of the ends'.
+  // Lift of rays at a triangle: m for its own coordinates, and per metre of the ends' coordinates.
   struct Lift
   {
     float base, slope;

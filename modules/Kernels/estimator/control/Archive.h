@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The state of a solve on its way to bytes or back.
+// Serializes the state of a solve to bytes, and reads it back.
 #ifndef kalos_estimator_control_Archive_h
 #define kalos_estimator_control_Archive_h
 
@@ -12,14 +12,14 @@
 
 namespace kalos
 {
-/// Visits values in one order, for writing as for reading, so that the two can not disagree.
+/// Visits values in one order for both writing and reading, so that the two cannot disagree.
 class Archive
 {
 public:
-  /// One that takes values down.
+  /// An archive for writing.
   Archive() = default;
 
-  /// One that puts values back.
+  /// An archive for reading.
   explicit Archive(std::string bytes) : Bytes(std::move(bytes)), Reading(true) {}
 
   const std::string& bytes() const { return this->Bytes; }

@@ -12,7 +12,7 @@
 
 namespace kalos
 {
-/// One process. MPI comes in from above: the kernels know only gather().
+/// One process. A higher layer adds MPI; the kernels know only gather().
 class Ranks
 {
 public:
@@ -46,7 +46,7 @@ public:
       forValues(first(rank), first(rank + 1), [&](double& value) { value = *next++; });
   }
 
-  /// What the first rank says, so that all decide alike.
+  /// The value of the first rank, so that all ranks decide alike.
   double agree(double value) const { return this->gather({value}).front(); }
 
   double sum(double value) const
@@ -55,8 +55,8 @@ public:
     return std::accumulate(all.begin(), all.end(), 0.0);
   }
 
-  /// Runs a step on all ranks and returns whether all completed it. What one of them throws ends the step on all: no
-  /// rank is left waiting.
+  /// Runs a step on all ranks and returns whether all completed it. An exception on one rank ends the step on all, so
+  /// that no rank waits forever.
   template <class Step>
   bool together(const Step& step) const
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the illuminance is wanted.
+// The receivers: points where illuminance is estimated.
 #ifndef kalos_estimator_control_Receivers_h
 #define kalos_estimator_control_Receivers_h
 
@@ -11,7 +11,7 @@ namespace kalos
 {
 class Brdf;
 
-/// Points where the illuminance is wanted, in world coordinates.
+/// Points where illuminance is estimated, in world coordinates.
 struct Receivers
 {
   std::vector<Vec3> points;

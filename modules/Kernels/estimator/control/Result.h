@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What comes back from a solve.
+// The result of a solve.
 #ifndef kalos_estimator_control_Result_h
 #define kalos_estimator_control_Result_h
 
@@ -31,16 +31,16 @@ struct Result
   std::vector<char> goal;          ///< a GoalStatus each (estimator/tally/Goal.h); empty without a goal for the error
   double errorFloor = 0;           ///< lx, by which that was judged
   long long trajectories = 0;
-  long long rays = 0;  ///< traced by the solve; those of other solves of the process at the same time are in it
+  long long rays = 0;  ///< traced by the solve; includes those of concurrent solves of the process
   int replicates = 0;
   bool aborted = false;
-  bool alteredKernel = false;  ///< the method alters the kernel, kernelCorrection means something
+  bool alteredKernel = false;  ///< the method alters the kernel and fills kernelCorrection
   double seconds = 0, cpuSeconds = 0;
   std::vector<AuditLine> audit;
 };
 
 /// Called now and then on the thread that called solve(), with a fraction in [0,1]; returns false to abort.
-/// While it runs, the solve converged: a callback that waits is a pause.
+/// The solve waits for it: a callback that waits pauses the solve.
 using Progress = std::function<bool(double)>;
 
 /// Called after each round, on the thread that called solve(), with the result so far.

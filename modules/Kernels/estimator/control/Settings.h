@@ -39,24 +39,23 @@ struct Settings
   bool keepReplicates = false;          ///< fill Result::replicateIlluminance
   double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; 0: automatic
 
-  // Savings switched off, estimator/control/Techniques.h; none moves a mean.
-  bool gatherEverywhere = false;   ///< gather rays where nothing is near, too
+  // Disabled techniques (estimator/control/Techniques.h); none adds bias.
+  bool gatherEverywhere = false;   ///< gather rays even where nothing is near
   bool shadowEveryPair = false;    ///< a shadow ray for every pair that scores
   bool shadowConvexRooms = false;  ///< shadow rays where nothing can occlude
-  bool alwaysVertices = false;     ///< vertices score where paths from the receivers alone are better, too
-  bool ownRays = false;            ///< gather rays light the receiver that sent them alone, not its neighbours
-  bool evenEffort = false;         ///< all receivers go on until the last has reached the goal
-  bool sampleDirect = false;       ///< area emitters are sampled, not known in closed form
+  bool alwaysVertices = false;     ///< use vertices even where paths from the receivers are better
+  bool ownRays = false;            ///< a gather ray lights only the receiver that sent it, not its neighbours
+  bool evenEffort = false;         ///< all receivers continue until the last has reached the goal
+  bool sampleDirect = false;       ///< sample area emitters instead of using their closed form
 
-  const Ranks* ranks = nullptr;  ///< processes that share the solve; null: this one alone
+  const Ranks* ranks = nullptr;  ///< processes that share the solve; null: only this one
 
-  CheckpointStore* checkpoint = nullptr;  ///< where the solve is kept and goes on from; null: nowhere
+  CheckpointStore* checkpoint = nullptr;  ///< where the solve is saved and resumed; null: nowhere
 
   Walks walks() const { return {this->seed, this->sampling}; }
 };
 
-/// Trajectories of a solve without a goal and a limit, and those that automatic lengths are made for where there is no
-/// limit.
+/// Trajectories of a solve without goal and limit. Automatic lengths assume this number where there is no limit.
 constexpr long long defaultTrajectories = 10000;
 
 }  // namespace kalos

@@ -45,7 +45,7 @@ void disable(const std::string& names, Settings& settings)
       }
     }
     if (!known)
-      throw std::invalid_argument("without: '" + name + "' is no saving, expected some of " + all);
+      throw std::invalid_argument("without: '" + name + "' is not a technique, expected some of " + all);
   }
 }
 

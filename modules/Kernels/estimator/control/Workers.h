@@ -41,7 +41,7 @@ public:
       return !this->Aborted;
     std::atomic<std::size_t> finished{0};
     {
-      const std::lock_guard<std::mutex> open(this->Gate);  // tasks see what was written before
+      const std::lock_guard<std::mutex> open(this->Gate);  // makes earlier writes visible to the tasks
     }
     this->Arena.execute([&] {
       tbb::parallel_for(
@@ -50,13 +50,13 @@ public:
             for (std::size_t i = range.begin(); i != range.end(); ++i)
             {
               {
-                const std::lock_guard<std::mutex> open(this->Gate);  // closed while progress is told
+                const std::lock_guard<std::mutex> open(this->Gate);  // locked while progress is reported
               }
               if (this->Aborted)
                 return;
               body(i);
               this->tell(static_cast<double>(finished + 1) / static_cast<double>(count));
-              ++finished;  // last: who reads it sees all that was done
+              ++finished;  // last, so that a reader of the count sees all finished work
             }
           },
           tbb::simple_partitioner());
@@ -64,7 +64,7 @@ public:
     return finished == count && !this->Aborted;
   }
 
-  /// From now on forEachReplicate() runs this replicate alone.
+  /// Restricts forEachReplicate() to this replicate.
   void only(int replicate) { this->Only = replicate; }
 
   /// Replicates [first, last).
@@ -114,7 +114,7 @@ public:
 
   bool aborted() const { return this->Aborted; }
 
-  /// Time that progress took, s: pauses are no part of a solve.
+  /// Time that progress took, s: pauses do not count as time of the solve.
   double secondsTelling() const { return this->Telling; }
 
 private:
@@ -127,7 +127,7 @@ private:
       return;
     this->LastTold = now;
     const double done = (this->Step + fraction) / this->Steps;
-    this->Told = std::max(this->Told, this->From + done * (this->To - this->From));  // goals move, progress does not
+    this->Told = std::max(this->Told, this->From + done * (this->To - this->From));  // never goes back
     const std::lock_guard<std::mutex> closed(this->Gate);
     if (!this->Report(this->Told))
       this->Aborted = true;
@@ -142,7 +142,7 @@ private:
   std::atomic<bool> Aborted{false};
   std::mutex Gate;
   int Only = -1, Step = 0, Steps = 1;
-  double Telling = 0, From = 0, To = 0, Told = 0;  // what comes before the first span is no progress
+  double Telling = 0, From = 0, To = 0, Told = 0;  // work before the first span does not count as progress
 };
 }  // namespace kalos
 

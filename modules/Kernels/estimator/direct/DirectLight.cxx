@@ -293,7 +293,7 @@ bool DirectLight::aim(const Sensor& sensor, SampleStream& random, AreaSample& sa
   const double u1 = random.next(), u2 = random.next(), u3 = random.next();
   if (!this->shinesAt(area, sensor) || !this->sampleArea(area, sensor, u1, u2, u3, sample))
     return false;
-  // The lobe's sample shares with this one: balance heuristic.
+  // MIS with the lobe's sample: balance heuristic.
   const double density = share / sample.solidAngle + (sensor.brdf ? gatherDensity(sensor, sample.direction) : 0);
   const Bands exitance = this->exitanceTowards(area, sample.direction);
   for (int b = 0; b < this->Scene_.bands(); ++b)

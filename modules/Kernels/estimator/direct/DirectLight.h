@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The illuminance that comes straight from luminaires and emitting meshes, apart from all reflections.
+// Direct illuminance, from luminaires and emitting meshes without reflections.
 #ifndef kalos_estimator_direct_DirectLight_h
 #define kalos_estimator_direct_DirectLight_h
 
@@ -19,8 +19,8 @@ namespace kalos
 /// Rectangles and emitting triangles: E = beta U + mean of w (V - beta). U = sum of M_k F_k is the closed form of
 /// Lambert's polygon, unshadowed; a sample draws an emitter in proportion to its luminous M_k F_k and a direction
 /// uniform in its solid angle, w is its unshadowed score and V its visibility; beta is the visible share, from samples
-/// used nowhere else. So there is no spike where a lamp touches the receiver, no variance where all or nothing is
-/// visible, and no bias.
+/// used nowhere else. So there is no spike where a lamp touches the receiver, no variance where the emitters are fully
+/// visible or fully hidden, and no bias.
 class DirectLight
 {
 public:
@@ -28,7 +28,7 @@ public:
   /// `shadows` false: nothing can occlude.
   DirectLight(const Scene& scene, bool withMeshes, bool shadows);
 
-  /// What one receiver sees of the emitters; reused for all its samples.
+  /// The emitters as seen from one receiver; reused for all its samples.
   struct View
   {
     Bands points{};                  ///< lx, of the point luminaires, shadows included
@@ -42,23 +42,23 @@ public:
   double sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const;
 
   /// One sample of all direct light at the sensor, weighted by its response, with a single shadow ray: an emitter is
-  /// drawn about in proportion to what it would send to a Lambertian sensor, were nothing in between (LightSampler).
-  /// At a glossy sensor a direction drawn from its lobe shares with the areas (balance heuristic), for lobes that are
-  /// narrower than a lamp. Unbiased; for the vertices that gather rays find and for glossy sensors. Of luminaires only,
-  /// without meshes.
+  /// drawn about in proportion to its unshadowed light at a Lambertian sensor (LightSampler).
+  /// At a glossy sensor a direction drawn from its lobe is combined with the areas by MIS (balance heuristic), for
+  /// lobes narrower than a lamp. Unbiased; for the vertices that gather rays find and for glossy sensors. Of luminaires
+  /// only, without meshes.
   Bands sample(const Sensor& sensor, SampleStream& random) const;
 
-  /// What sample() adds if nothing hides its target; false when that is nothing whatever is seen.
+  /// The contribution of sample() if nothing hides its target; false when it is 0 in any case.
   struct Sample
   {
     RayAnchor target;
     Bands light;  ///< lx per band, weighted by the sensor's response
   };
-  /// The same without the shadow ray; what a lobe's sample found, with shadow rays of its own, is added to `known`.
+  /// The same without the shadow ray; the lobe's sample traces its own shadow rays and is added to `known`.
   bool sampleUnshadowed(const Sensor& sensor, SampleStream& random, Sample& sample, Bands& known) const;
 
   /// The same at `count` <= SegmentPacket::width sensors without BRDF, their shadow rays in one packet, in single
-  /// precision: for sensors that are seen from so far that none matters which lies in a narrower gap.
+  /// precision: for sensors that are seen from so far that a narrow gap does not matter.
   void sample(const Sensor* sensors, int count, SampleStream& random, Bands* light) const;
 
   /// Adds throughput times the exitance of every luminous rectangle that a ray from a mirror passes through before it
@@ -109,7 +109,7 @@ private:
   static double solidAngle(const Area& area, const Vec3& from);  // sr
   static RayAnchor anchorOn(const Area& area, const Vec3& p, bool behind);
   static bool meets(const Area& area, const Vec3& origin, const Vec3& direction, double& distance);  // on a lit side
-  // What sample() finds at the sensor if nothing hides it: false when that is nothing. A lobe's sample goes to `lobe`.
+  // The contribution of sample() if nothing hides it; false when it is 0. A lobe's sample goes to `lobe`.
   bool aim(const Sensor& sensor, SampleStream& random, AreaSample& sample, Bands& arriving, Bands& lobe) const;
   void sampleLobe(const Sensor& sensor, SampleStream& random, const LuminaireWeights& weights, Bands& sum) const;
   static bool isAfar(const Area& area, const Vec3& p);

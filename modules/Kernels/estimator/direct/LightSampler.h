@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which luminaire to ask, where many shine: drawn by a cheap stand-in for what each sends.
+// Also known as: many-light sampling; importance sampling of light sources (light sampler).
+//
+// Chooses a luminaire where many shine, in proportion to a cheap approximation of its light at the sensor.
 //
 // The stand-in of a point is its intensity or, for a measured one, a bound of it (photometry/CandelaBound.h), times
 // cos / d^2: no angle, no table of candela. A rectangle that is not near is the point in its middle, but shines as soon
-// as any of it is above the horizon. So the stand-in is positive wherever light may come from, and what is drawn by it
-// and weighed by the chance of that is unbiased. Vector code (Highway) of the same bits on every instruction set: on an
-// AMD EPYC (AVX2) 4 to 5 ns for each measured luminaire, beside 100 for a look-up in its table.
+// as any of it is above the horizon. So the stand-in is positive wherever light may come from, and sampling by it is
+// unbiased. Vector code (Highway) gives the same bits on every instruction set. On an AMD EPYC (AVX2) it takes 4 to 5
+// ns for each measured luminaire; a look-up in its table takes 100 ns.
 #ifndef kalos_estimator_direct_LightSampler_h
 #define kalos_estimator_direct_LightSampler_h
 
@@ -21,7 +23,7 @@ public:
 
   std::vector<float> weight;  ///< >= 0; filled up with zeros to whole groups of `lanes`
 
-  /// To be called when all weights are known.
+  /// Call when all weights are set.
   void sum();
   double total() const { return this->Total; }
   double share(std::size_t i) const { return static_cast<double>(this->weight[i]) / this->Total; }
@@ -37,9 +39,9 @@ class LightSampler
 public:
   explicit LightSampler(const Scene& scene);
 
-  /// Stand-ins for the illuminance that luminaires would give at the sensor, lx, were nothing in between. Negative for
-  /// rectangles and openings that are near, or nearly so: these must be weighed by their true size. Returns whether
-  /// there are such.
+  /// Stand-ins for the unshadowed illuminance of the luminaires at the sensor, lx. Negative for
+  /// rectangles and openings that are near, or nearly so: the caller must weigh these by their true size. Returns
+  /// whether there are any.
   bool weigh(const Sensor& sensor, LuminaireWeights& weights) const;
 
 private:

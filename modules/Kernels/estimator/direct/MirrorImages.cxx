@@ -39,7 +39,7 @@ void MirrorImages::findPlanes()
     if (!(reflectance > 0))
       continue;
     const Vec3 p = this->Scene_.corner(t, 0), n = this->Scene_.normal(t);
-    // Triangles of one mirror follow each other: looking further back would take the square of their number.
+    // Triangles of one mirror follow each other: a longer search would take quadratic time.
     const auto last = this->Planes.size() > 64 ? this->Planes.rbegin() + 64 : this->Planes.rend();
     const auto same = std::find_if(this->Planes.rbegin(), last, [&](const Plane& plane) {
       return length(cross(n, plane.normal)) < 1e-9 &&

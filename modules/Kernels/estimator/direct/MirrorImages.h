@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Point luminaires seen in plane mirrors: no gather ray can meet a point, but its mirror images have a closed form.
+// Point luminaires seen in plane mirrors. A gather ray cannot hit a point, but its mirror images have a closed form.
 #ifndef kalos_estimator_direct_MirrorImages_h
 #define kalos_estimator_direct_MirrorImages_h
 
@@ -12,8 +12,8 @@ namespace kalos
 /// E = m1 m2 .. I(omega) cos(theta) V / d^2 for every point luminaire and every chain of plane mirrors in which the
 /// sensor sees it, d being the way over the mirrors. Chains are followed until their mirrors reflect less than
 /// `leastReflectance` in all, or until there are `mostImages` (many planes that face each other, or a curved mirror of
-/// many triangles; first reflections are never left out); the audit says what is left out. Light that reaches the
-/// sensor after a diffuse reflection is not concerned: trajectories follow any number of mirrors.
+/// many triangles; first reflections are never left out); the audit says what is left out. Trajectories handle light
+/// that reaches the sensor after a diffuse reflection; they follow any number of mirrors.
 class MirrorImages
 {
 public:

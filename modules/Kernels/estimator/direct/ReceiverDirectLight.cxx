@@ -14,9 +14,9 @@ namespace kalos
 {
 namespace
 {
-constexpr int pilotSamples = 16;                // of area emitters, to see how much of them is visible
-constexpr std::size_t steadyAround = 2;         // receivers before and after, which see all or nothing as well
-constexpr int steadySaving = 8;                 // times fewer samples where nothing suggests that shadows fall
+constexpr int pilotSamples = 16;                // of area emitters, to estimate their visible fraction
+constexpr std::size_t steadyAround = 2;         // receivers before and after that must see the same
+constexpr int steadySaving = 8;                 // times fewer samples where the pilot found no partial shadow
 constexpr std::size_t largestViews = 1u << 24;  // unshadowed illuminances kept, receivers times emitters: 128 MB
 constexpr std::uint32_t largestExact = 4096;    // emitting triangles served by closed forms
 
@@ -199,8 +199,8 @@ AuditLine ReceiverDirectLight::auditOpenings() const
 AuditLine ReceiverDirectLight::auditMirrors() const
 {
   std::ostringstream left;
-  left << "what is left out of the way from a point to a receiver takes mirrors that reflect at most "
-       << std::setprecision(2) << 100 * this->Mirrored.leftOut() << " % together";
+  left << "omitted chains of mirrors between a point and a receiver reflect at most " << std::setprecision(2)
+       << 100 * this->Mirrored.leftOut() << " % together";
   if (this->Mirrored.truncated())
     return {"warning",
             "mirrors face each other too often: point luminaires have more than " +
@@ -231,7 +231,7 @@ std::vector<AuditLine> ReceiverDirectLight::audit() const
                    : glossy              ? "diffuse, glossy"
                    : mirror              ? "diffuse, mirror"
                                          : "diffuse",
-                   !this->Found.reflects ? "every surface is black: direct light is all there is"
+                   !this->Found.reflects ? "every surface is black: all light is direct"
                    : glossy || mirror    ? "as the materials say"
                                          : "every luminance is rho E / pi, no second estimate is run"});
   if (this->Found.unoccluded)
@@ -258,8 +258,8 @@ std::vector<AuditLine> ReceiverDirectLight::audit() const
                                                                       : this->MeshesSeen ? ", met by paths"
                                                                                          : ", trajectory starts"),
                      this->ClosedForms  ? "only what hides it is sampled"
-                     : this->MeshesSeen ? "paths from the receivers alone find all light"
-                     : this->Sampled    ? "as was asked for"
+                     : this->MeshesSeen ? "paths from the receivers find all light"
+                     : this->Sampled    ? "as requested"
                                         : "too many for a closed form at every receiver"});
   return lines;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The receivers of a solve as sensors, and the direct light that methods with exact direct light share.
+// The receivers of a solve as sensors, and their direct light, for the methods with exact direct light.
 #ifndef kalos_estimator_direct_ReceiverDirectLight_h
 #define kalos_estimator_direct_ReceiverDirectLight_h
 
@@ -17,8 +17,8 @@ namespace kalos
 class ReceiverDirectLight
 {
 public:
-  /// What fluctuates has one sample for each `trajectoriesPerSample` of a round; where a receiver and its neighbours in
-  /// order saw all of the emitters or nothing, in samples used nowhere else, eight times fewer.
+  /// The sampled part takes one sample per `trajectoriesPerSample` trajectories of a round; eight times fewer where a
+  /// receiver and its neighbours in order saw all of the emitters or none of them in a pilot.
   ReceiverDirectLight(const Scene& scene, const Receivers& receivers, const Settings& settings,
                       int trajectoriesPerSample = 4);
 
@@ -29,26 +29,27 @@ public:
   /// triangles for closed forms, or the receiver is glossy.
   bool exactMeshes(std::size_t receiver) const { return this->ClosedForms && !this->Sensors[receiver].brdf; }
 
-  /// Emitting meshes are no part of this light from now on: rays of the receivers see them.
+  /// Excludes emitting meshes from now on: rays from the receivers hit them.
   void leaveMeshesToRays()
   {
     this->ClosedForms = false;
     this->MeshesSeen = true;
   }
 
-  /// There is no light but this: nothing reflects, and all emission is known in closed form.
-  /// Whether no light of point luminaires in mirrors is left out that matters: see MirrorImages::truncated().
+  /// Whether no important mirror image of a point luminaire is left out: see MirrorImages::truncated().
   bool hasAllImages() const { return !this->Mirrored.truncated(); }
+
+  /// Whether there is no other light: nothing reflects, and all emission has a closed form.
   bool complete() const { return !this->Found.reflects && this->ClosedForms; }
 
-  /// Fills the fixed part of the tally: all that does not fluctuate. Returns false when aborted.
+  /// Fills the fixed part of the tally: direct light in closed form. Returns false when aborted.
   bool prepare(Workers& workers, Tally& tally);
 
-  /// What fluctuates, for a round of `count` trajectories; lx times these, per band.
+  /// The sampled part, for a round of `count` trajectories; lx times `count`, per band.
   Bands fluctuation(std::size_t receiver, int replicate, long long first, int count) const;
 
-  /// Adds what fluctuates, for a round of trajectories [first, first + count): the visibility of area emitters, or the
-  /// whole direct light of a glossy receiver. Nothing to one that converged.
+  /// Adds the sampled part, for a round of trajectories [first, first + count): the visibility of area emitters, or the
+  /// whole direct light of a glossy receiver. Skips receivers that reached the goal.
   void score(std::size_t receiver, int replicate, long long first, int count, Tally& tally) const;
 
   /// score() for all receivers and replicates; false when aborted.

@@ -7,7 +7,7 @@ namespace kalos
 {
 namespace
 {
-constexpr int keptForBalance = 16;  // one of so many trajectories is traced when no path meets their vertices
+constexpr int keptForBalance = 16;  // without vertices, one of so many trajectories is traced
 }  // namespace
 
 GatherContext::GatherContext(const Scene& scene, const Emission& emission, const Settings& settings, bool shadows)

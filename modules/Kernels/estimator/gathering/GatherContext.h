@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What gather rays meet: the vertices of trajectories and how dense they lie, and the luminaires. The rays themselves:
-// estimator/gathering/WavefrontGather.h.
+// What gather rays need of the scene: vertices, their density and the luminaires. estimator/gathering/WavefrontGather.h
+// traces the rays.
 #ifndef kalos_estimator_gathering_GatherContext_h
 #define kalos_estimator_gathering_GatherContext_h
 
@@ -32,19 +32,19 @@ public:
   /// Whether one vertex of a block is picked for the shadow ray, instead of all.
   bool picksVertices() const { return this->Shadows && !this->EveryPair; }
 
-  /// From now on rays meet no vertices: all light is found by paths that end late, estimator/methods/StrategyTrial.h.
+  /// Turns vertices off: longer paths find all light (estimator/methods/StrategyTrial.h).
   void usePathsOnly() { this->PathsOnly = true; }
   bool pathsOnly() const { return this->PathsOnly; }
 
   /// The vertices of trajectories [first, first + count) of every replicate, annotated by the pilot; of a sixteenth of
-  /// them when alone, for the energy balance. None when aborted.
+  /// them when pathsOnly(), for the energy balance. None when aborted.
   std::vector<LightVertices> trace(const Emission& emission, const Walks& walks, int replicates, long long first,
                                    int count, Workers& workers) const;
 
-  /// Gather rays per trajectory, as they count for G*, of a ray beside a block of vertices; infinite when alone.
+  /// Gather rays per trajectory, as they count for G*, of a ray beside a block of vertices; infinite when pathsOnly().
   double blockShare(int trajectories, int blockSize) const;
 
-  /// All light that reaches a sensor from luminaires, straight or by mirrors, with one shadow ray for the former.
+  /// All light from luminaires at a sensor: direct, with one shadow ray, and by mirrors.
   Bands luminaireLight(const Sensor& sensor, SampleStream& random) const;
 
   /// The same at up to SegmentPacket::width sensors without BRDF that are seen from afar: see DirectLight.

@@ -37,7 +37,7 @@ std::uint64_t cellKey(const Face& face, const SurfaceHit& hit, float distance, f
   auto index = [&](float x) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x * inverse))); };
   const float u = hit.position[face.across == 0 ? 1 : 0], v = hit.position[face.across == 2 ? 1 : 2];
   const std::uint64_t level = static_cast<std::uint64_t>(face.key) << 16 | exponent << 1 | (hit.side & 1);
-  // Off the origin: planes through the scene's centre would lie between two layers.
+  // Offset from the origin, because planes through the scene's centre would lie between two layers.
   const std::uint64_t layer = index(4 * face.plane + 0.37f / inverse);
   return mixBits(mixBits(index(u) ^ index(v) << 32) + mixBits(layer << 32 ^ level));
 }
@@ -56,7 +56,7 @@ void GatherHitGrid::add(SurfaceHit& hit, std::uint64_t seed)
     slot = {hit.cell, static_cast<std::int32_t>(this->Cells.size())};
     this->Cells.emplace_back();
   }
-  // Of the first n hits each has been kept with probability 1/n.
+  // Reservoir sampling: each of the first n hits is kept with probability 1/n.
   Cell& cell = this->Cells[slot.cell];
   ++cell.hits;
   hit.cell = static_cast<std::uint64_t>(slot.cell);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells of surfaces that gather rays of one replicate and round have hit, each with one of its hits that stands for
-// all of them.
+// Also known as: spatial hash of gather hits; the cells of an irradiance cache.
+//
+// Sorts the hits of one replicate's gather rays in a round into cells. One hit represents each cell.
 //
 // A cell is as wide as a share of the distance that it is seen from, rounded down to a power of two, and lies in the
-// plane of its triangle. Its representative is drawn uniformly among its hits: what the cell's hits take from it is
-// right in the mean over them, whatever the surface does inside the cell.
+// plane of its triangle. Its representative is drawn uniformly among its hits: so the estimate at the representative is
+// unbiased for the mean over the cell's hits.
 #ifndef kalos_estimator_gathering_GatherHitGrid_h
 #define kalos_estimator_gathering_GatherHitGrid_h
 
@@ -31,12 +32,12 @@ struct SurfaceHit
   float position[3];        ///< m
   std::uint32_t side;       ///< twice the triangle, plus 1 for its front
   std::uint64_t cell;       ///< key of its cell; the cell's index once GatherHitGrid::add() has seen it
-  bool near = false;        ///< to what it is seen from: rays in single precision do not serve, see isFarFrom()
-  std::uint8_t finder = 0;  ///< whose ray it was, of a group of receivers
+  bool near = false;        ///< to the ray's start: needs rays in double precision, see isFarFrom()
+  std::uint8_t finder = 0;  ///< receiver of the group that sent the ray
 };
 
-/// Key of the cell about a hit that is seen from `distance` (m), `share` of it wide: equal only for hits on parallel
-/// sides of one plane, of one cell.
+/// Key of the cell of a hit seen from `distance` (m); the cell is `share` times as wide. Equal keys: same cell, on
+/// parallel sides of one plane.
 std::uint64_t cellKey(const Face& face, const SurfaceHit& hit, float distance, float share);
 
 class GatherHitGrid

@@ -2,9 +2,9 @@
 // Directions of gather rays of groups of receivers.
 //
 // The points are the first two dimensions of an Owen-scrambled Sobol' sequence. Each receiver of a group has a run of
-// them, so that its own are stratified and those of the group as well. A group takes them by a digital shift of its own
-// (in the distance from the normal) and a turn of its own (about the normal): points stay as stratified, each is
-// uniform, and groups beside each other are not shifted alike. No sine is left for a ray.
+// them, so that its own are stratified and those of the group as well. Each group has its own digital shift
+// (in the distance from the normal) and its own rotation (about the normal). Points stay stratified and uniform, and
+// neighbouring groups are decorrelated. Tracing needs no sine per ray.
 #ifndef kalos_estimator_gathering_GatherPattern_h
 #define kalos_estimator_gathering_GatherPattern_h
 

@@ -5,7 +5,7 @@ namespace kalos
 {
 namespace
 {
-constexpr std::size_t together = 256;  // rays; what they carry stays in the second-level cache
+constexpr std::size_t together = 256;  // rays; their state fits in the second-level cache
 }
 
 ReceiverRays::ReceiverRays(const GatherContext& gathering, const GatherPool& pool, int replicate, Tally& tally)

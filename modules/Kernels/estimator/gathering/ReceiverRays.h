@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gather rays of receivers, some hundreds under way at a time (estimator/gathering/WavefrontGather.h), and what they
-// add to a tally.
+// Sends gather rays of receivers in batches of some hundreds (estimator/gathering/WavefrontGather.h) and adds their
+// light to a tally.
 #ifndef kalos_estimator_gathering_ReceiverRays_h
 #define kalos_estimator_gathering_ReceiverRays_h
 
@@ -9,7 +9,7 @@
 
 namespace kalos
 {
-/// Of one replicate and round. What is added last is in the tally after finish().
+/// Of one replicate and round. Call finish() to add the last batch to the tally.
 class ReceiverRays
 {
 public:
@@ -19,7 +19,7 @@ public:
   void gather(std::size_t receiver, int rays, const Sensor& sensor, const WavefrontGather::Start& start,
               const SampleStream& random);
 
-  /// The same along a ray that is given, which met the surface point y.
+  /// The same for a given ray, which hit the surface point y.
   void follow(std::size_t receiver, int rays, const Sensor& sensor, const Vec3& direction, const SurfacePoint& y,
               const WavefrontGather::Start& start, const SampleStream& random);
 

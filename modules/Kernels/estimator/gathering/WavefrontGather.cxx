@@ -10,12 +10,11 @@ namespace kalos
 {
 namespace
 {
-// The chance that a path goes on, over its throughput: more than roulette on the throughput alone would keep, for
-// ending paths early is what costs variance at edges. Ten times saved a sixth of the time along an edge and cost a
-// twelfth on a floor, against three times.
+// Survival probability of a path over its throughput. It is above 1, because ending paths early costs variance at
+// edges. Ten times saved a sixth of the time along an edge and cost a twelfth on a floor, against three times.
 constexpr double kept = 5;
-// The same when it is alone: in a white furnace 10 took three times the time of 20 to the same error, in rooms that are
-// luminous in part 20 a quarter more than 5.
+// The same without vertices (pathsOnly): in a white furnace 10 took three times the time of 20 to the same error, in
+// rooms that are luminous in part 20 a quarter more than 5.
 constexpr double keptPathsOnly = 20;
 }  // namespace
 
@@ -66,7 +65,7 @@ void WavefrontGather::run()
   };
   while (!this->Active.empty())
   {
-    // Find what the sensors see in a direction of their response.
+    // Trace rays in directions drawn from the sensors' response.
     rays.clear();
     keepThose([&](std::size_t k) {
       PathState& path = this->Paths[this->Active[k]];
@@ -132,7 +131,7 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
       whole ? std::numeric_limits<double>::infinity() : kernel * path.share / this->Rays.pilot().density(y.position);
   this->addEmission(i, y, kernel, whole);
 
-  // Become the sensor there: its illuminance, or its response towards here.
+  // The hit becomes the next sensor: for illuminance, or for its response towards the previous one.
   Sensor next(scene.anchor(y));
   const Brdf& brdf = scene.brdf(y.triangle);
   if (brdf.isLambertian())
@@ -151,7 +150,7 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
   path.at = next;
   this->addLuminaires(i);
   this->addVertices(i, rayBlock);
-  // Vertices lit from a point by mirrors score elsewhere at full weight, but nowhere by a mirror again.
+  // Add point luminaires seen by mirrors only where no vertex scores; elsewhere vertices include that light.
   if (whole && this->Rays.mirrored().any())
     this->addWeighted(i, this->Rays.mirrored().illuminance(next));
   if (path.first && !this->survives(path))
@@ -164,7 +163,7 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
 
 void WavefrontGather::addEmission(std::size_t i, const SurfacePoint& y, double kernel, bool whole)
 {
-  // What is emitted, less the share that starts on meshes score.
+  // The exitance, less the part scored by trajectory starts on meshes.
   const Scene& scene = this->Rays.scene();
   const PathState& path = this->Paths[i];
   const Material& material = scene.material(y.triangle);
@@ -218,7 +217,7 @@ void WavefrontGather::addBlock(std::size_t i, const VertexSet& set, int blockSiz
   if (set.size() == 0)
     return;
   static_assert(rayBlock <= VertexTile::capacity && cellBlock <= VertexTile::capacity, "a block is scored as one tile");
-  // A run of vertices from a random start, around the end: each is in it with the same probability.
+  // A run of vertices from a random start, wrapped at the end, so that each vertex has the same probability.
   const std::size_t size = std::min<std::size_t>(blockSize, set.size());
   const auto begin = static_cast<std::size_t>(this->Paths[i].random.next() * static_cast<double>(set.size()));
   const std::size_t straight = std::min(size, set.size() - begin);
@@ -261,7 +260,7 @@ void WavefrontGather::addWeighted(std::size_t i, const Bands& light)
 void WavefrontGather::addIfSeen(std::size_t i, const RayAnchor& target, const Bands& light)
 {
   const PathState& path = this->Paths[i];
-  // What is no number must not hide: it stops the run.
+  // A NaN skips the shadow test, so that checkFinite() reports it.
   if (!this->Rays.shadows() || std::isnan(light[0]))
     return this->addWeighted(i, light);
   this->Shadows.push_back({path.at.anchor, target, path.doublePrecision});

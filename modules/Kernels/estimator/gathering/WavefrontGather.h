@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gather rays of many sensors under way together, step by step, so that their rays go in packets (scene/RayBatch.h).
-// What each finds does not depend on the others.
+// Also known as: wavefront path tracing with next event estimation and MIS (balance heuristic).
+//
+// Advances the gather rays of many sensors together, one bounce at a time, so that they are traced in packets
+// (scene/RayBatch.h). The result of each is independent of the others.
 #ifndef kalos_estimator_gathering_WavefrontGather_h
 #define kalos_estimator_gathering_WavefrontGather_h
 
@@ -33,7 +35,7 @@ public:
   /// luminaires, and a gather ray of its own; ended by Russian roulette. Returns its index.
   std::size_t gather(const Sensor& sensor, const Start& start, const SampleStream& random);
 
-  /// The same along a ray that is given, of a sensor without BRDF that met the surface point y.
+  /// The same for a given ray of a sensor without BRDF, which hit the surface point y.
   std::size_t follow(const Sensor& sensor, const Vec3& direction, const SurfacePoint& y, const Start& start,
                      const SampleStream& random);
 
@@ -41,13 +43,13 @@ public:
   /// pool's vertices, and by a gather ray that takes what these leave.
   std::size_t indirectLight(const Sensor& sensor, bool doublePrecision, const SampleStream& random);
 
-  /// Follows all rays to their ends.
+  /// Traces all rays until their paths end.
   void run();
 
-  /// Forgets them, for others.
+  /// Clears the rays and results for the next batch.
   void clear();
 
-  /// What the ray of this index has found, per band, and the part of it that is exitance met by its first ray.
+  /// The light found by the ray of this index, per band, and the part that is exitance hit by its first segment.
   const double* light(std::size_t i) const { return &this->Found[2 * i * this->Count]; }
   const double* emission(std::size_t i) const { return &this->Found[(2 * i + 1) * this->Count]; }
 
@@ -63,7 +65,7 @@ private:
     double density;  // per sr
     bool mirror;
   };
-  // Where gather rays have come to, and what their sensor's light weighs.
+  // The state of each gather ray's path.
   struct PathState
   {
     Sensor at;
@@ -93,10 +95,10 @@ private:
   double Later;       // share of the rays after the first
   std::vector<PathState> Paths;
   std::vector<double> Found;                 // light and emission, by each
-  std::vector<std::size_t> Active;           // that have not ended
+  std::vector<std::size_t> Active;           // indices of paths that have not ended
   std::vector<ShadowRay> Shadows;            // to be traced
-  std::vector<double> PendingContributions;  // what each of them adds
-  std::vector<std::size_t> PendingPath;      // whose it is
+  std::vector<double> PendingContributions;  // contribution of each shadow ray
+  std::vector<std::size_t> PendingPath;      // path of each shadow ray
 };
 }  // namespace kalos
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Also known as: VPL clamping (clamped virtual point lights).
+//
 // Method `clamped`: min(G, G*) with G* = 1/(pi delta^2), the kernel of two elements that face each other at distance
 // delta.
 //
 // Bias: low, by the part of the illuminance that arrives with G > G*: near a concave right angle at distance h << delta
 // that is the light of the strip of the other wall nearer than about delta. Source: common practice with virtual point
-// lights (Keller 1997); kept to be measured against.
+// lights (Keller 1997); kept for comparison.
 #ifndef kalos_estimator_kernel_Clamped_h
 #define kalos_estimator_kernel_Clamped_h
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Method `disc`: the kernel averaged over the receiver's disc of radius epsilon, or over its own mesh polygon; what a
-// meter head or an area meter reads.
+// Also known as: virtual area sensor; the receiver-side counterpart of virtual spherical lights.
+//
+// Method `disc`: the kernel averaged over the receiver's disc of radius epsilon, or over its own mesh polygon; that is
+// what a meter head or an area meter reads.
 //
 // The average of G over an area A about r is F/A, F the form factor from the vertex to the area: for a disc in full
 // view the closed form of its vector irradiance, for a polygon, and for a disc that the vertex's horizon cuts (as the
 // regular 64-gon of equal area), Lambert's formula. No sampling. Vertices farther than 32 radii keep the plain kernel,
 // which differs from the average by less than (epsilon/d)^2 < 0.1 %.
 //
-// Bias: O(epsilon^2) of the illuminance's curvature over the disc, none extra at edges as long as the disc does not
-// reach through a wall; the mean over the polygon is exact for what an area meter reads. Source: Lambert 1760; disc:
-// Howell, Catalog of Radiation Heat Transfer Configuration Factors, B-12 and B-13.
+// Bias: O(epsilon^2) of the illuminance's curvature over the disc, with no extra bias at edges as long as the disc does
+// not reach through a wall; the mean over the polygon is exact for what an area meter reads. Source: Lambert 1760;
+// disc: Howell, Catalog of Radiation Heat Transfer Configuration Factors, B-12 and B-13.
 #ifndef kalos_estimator_kernel_DiscAverage_h
 #define kalos_estimator_kernel_DiscAverage_h
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Methods that take the singularity out of the kernel by altering it near the receiver.
+// Also known as: bounding the weak singularity of virtual point lights.
+//
+// Methods that remove the kernel's singularity by changing it near the receiver.
 #ifndef kalos_estimator_kernel_KernelRegularization_h
 #define kalos_estimator_kernel_KernelRegularization_h
 
@@ -21,8 +23,8 @@ public:
   /// Vertices farther than this from the receiver (m) keep the plain kernel.
   virtual double reach(std::size_t receiver) const = 0;
 
-  /// The kernel (1/m2) to score instead of `plain` for a vertex y of normal n nearer than reach(). Visibility is that
-  /// between the receiver and y for every method: a neighbourhood reaches through walls, the receiver does not.
+  /// The kernel (1/m2) to score instead of `plain` for a vertex y of normal n nearer than reach(). Every method uses
+  /// the visibility between the receiver and y, because a neighbourhood may reach through walls.
   virtual double kernel(std::size_t receiver, const Sensor& sensor, const Vec3& y, const Vec3& n, double plain,
                         RandomStream& random) const = 0;
 
@@ -36,7 +38,7 @@ struct Neighbourhood
   double delta, epsilon;
 };
 
-/// delta and epsilon of the settings, automatic ones (0) filled in for `vertices` per m2.
+/// delta and epsilon of the settings; 0 is replaced by the automatic value for `vertices` per m2.
 ///
 /// The rule. At distance h from a concave right angle the plain estimate has relative variance 1/(6 pi h^2 n) for n
 /// vertices per m2 (E3). Averaging with radius epsilon below delta = epsilon/0.6 keeps it near 1/(6 pi epsilon^2 n)

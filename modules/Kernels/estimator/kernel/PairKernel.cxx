@@ -55,7 +55,7 @@ void formPairs(const VertexSet& v, std::size_t begin, int count, const Sensor& s
   alignas(64) float kernel[PairBlock::capacity];
   evaluateKernels({v, begin, count}, sensor, share, kernel);
 
-  // Compact without branches: most pairs of a convex room score, few of a furnished one do.
+  // Compact without branches: most pairs score in a convex room, few in a furnished one.
   int kept = 0;
   for (int i = 0; i < count; ++i)
   {
@@ -72,7 +72,7 @@ void formNearPairs(const VertexSet& v, std::size_t begin, int count, const Senso
   formPairs(v, begin, count, sensor, 0, block);
   std::copy_n(block.kernel, block.count, block.plain);
 
-  // Add the near ones that score nothing by the plain kernel; an altered one may see them.
+  // Add near vertices whose plain kernel is 0; a regularized kernel may be positive.
   std::vector<char> scores(count, 0);
   for (int i = 0; i < block.count; ++i)
     scores[block.index[i] - begin] = 1;

@@ -8,7 +8,7 @@
 
 namespace kalos
 {
-/// A run of vertices paired with one sensor; only those that score are kept.
+/// A run of vertices paired with one sensor. Holds only pairs that score.
 struct PairBlock
 {
   static constexpr int capacity = VertexTile::capacity;
@@ -30,7 +30,7 @@ void formPairs(const VertexSet& vertices, std::size_t begin, int count, const Se
 void formNearPairs(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double reach,
                    PairBlock& block);
 
-/// Removes the pairs that do not see each other: one shadow ray each, in packets of sixteen.
+/// Removes occluded pairs, by one shadow ray each in packets of sixteen.
 void keepVisible(const RayScene& rays, const VertexSet& vertices, const Sensor& sensor, PairBlock& block);
 
 /// Segments from the sensor to the `count` <= 16 vertices of these indices; idle lanes repeat the last one.

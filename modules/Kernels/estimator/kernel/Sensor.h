@@ -15,11 +15,12 @@ namespace kalos
 struct Sensor
 {
   Vec3 position, normal;
-  RayAnchor anchor;              ///< where its rays leave the surface that it may lie on
-  const Brdf* brdf = nullptr;    ///< null: illuminance
-  Vec3 outgoing;                 ///< unit, away from the surface; with brdf
-  bool doublePrecision = false;  ///< it lies in a gap or near others: its rays do not go in packets, see isInGap()
-  bool followsMirror = true;     ///< false: the mirror part of the BRDF is left out
+  RayAnchor anchor;            ///< where its rays leave the surface that it may lie on
+  const Brdf* brdf = nullptr;  ///< null: illuminance
+  Vec3 outgoing;               ///< unit, away from the surface; with brdf
+  bool doublePrecision =
+      false;  ///< its rays are traced singly, because it lies in a gap or near other surfaces: see isInGap()
+  bool followsMirror = true;  ///< false: the mirror part of the BRDF is left out
   /// G/G* of the gather ray that found this glossy surface: its vertices already score there with a share
   /// a = 1/(1 + f^ G/G*), where f^ is pi f over the albedo; what is measured here is the share 1 - a. Infinite: all of
   /// it.
@@ -29,7 +30,7 @@ struct Sensor
   explicit Sensor(const RayAnchor& a) : position(a.point), normal(a.normal), anchor(a) {}
 };
 
-/// x / (1 + x), also for infinite x: the gathered share of a pair whose G/G* is x.
+/// x / (1 + x), also for infinite x: the MIS weight (balance heuristic) of gather rays for a pair whose G/G* is x.
 inline double gatheredShare(double x)
 {
   return std::isinf(x) ? 1.0 : x / (1 + x);
@@ -49,7 +50,7 @@ inline Bands response(const Sensor& s, const Vec3& incident, int bands)
   if (!s.brdf)
     return uniformBands(1);
   Bands f = s.brdf->timesPi(s.normal, incident, s.outgoing);
-  if (std::isinf(s.ratio))  // times a lobe of nothing, as a mirror's, it would be no number
+  if (std::isinf(s.ratio))  // infinity times a zero lobe, as a mirror's, would be NaN
     return f;
   const double share = gatheredShare(s.ratio * lobeRatio(*s.brdf, s.normal, incident, f, bands));
   for (int b = 0; b < bands; ++b)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Also known as: spherical averaging of the kernel; akin to virtual spherical lights (Hasan et al. 2009).
+//
 // Methods `sphere-published` and `sphere-exact`: where a vertex lies nearer than delta, the kernel is replaced by a
 // one-sample estimate of its average over the ball of radius epsilon about the receiver (Budak et al. 2023, section 2).
 //
 // A point r_m of the ball is drawn with density proportional to 1/|r_m - y|^2 from an enclosing region (equations
-// 14-19), and scores W cos(theta) cos(theta') / pi. The printed text leaves five choices open; here they are:
+// 14-19), and scores W cos(theta) cos(theta') / pi. The printed text leaves five choices open:
 //  (a) A point counts when |r - r_m| < epsilon. (The paper prints the distance to the vertex instead.)
 //  (b) The published weight is C/V of the *enclosing* region: W = 3/(3 d^2 + epsilon^2) for d > epsilon, else
 //      3/(d + epsilon)^2. With re-drawing until a point counts it is low by a factor of 0.49 at d = epsilon/2, at worst

@@ -22,7 +22,7 @@ struct TileArrays
   int count;
 };
 
-// A number as the sum of two of single precision.
+// A number as the sum of two single-precision numbers.
 struct SplitNumber
 {
   float high, low;
@@ -35,7 +35,7 @@ struct SplitNumber
 struct SensorNumbers
 {
   SplitNumber x, y, z;
-  float nx, ny, nz;  // of the normal, turned over and divided by pi
+  float nx, ny, nz;  // minus the normal over pi
   float share;
   SensorNumbers(const Sensor& s, double gatherShare)
       : x(s.position.x),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The geometric kernel of a Lambertian sensor against a tile of Lambertian vertices, in vector code (Highway) for SSE4,
-// AVX2, AVX-512 and what else Highway knows, chosen at run time.
+// AVX2, AVX-512 and the other targets of Highway, chosen at run time.
 //
 // Rate: 1.7e9 pairs a second on one core of an AMD EPYC (Zen 3, 2.6 GHz, AVX2), as `KernelBenchmarks
 // --benchmark_filter=UnshadowedPairs` prints. Single precision, an exact division and no square root, no fused
@@ -17,7 +17,7 @@
 
 namespace kalos
 {
-/// kernel[i] = G / (1 + G/G*), 1/m2, 0 where one of the two looks away; paddedCount() values.
+/// kernel[i] = G / (1 + G/G*), 1/m2, 0 where one of the two faces away; paddedCount() values.
 void evaluateKernels(const VertexTile& tile, const Sensor& sensor, double share, float* kernel);
 
 /// Luminous scores, lx times trajectories, as they add up along the lanes.

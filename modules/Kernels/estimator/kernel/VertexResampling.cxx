@@ -11,7 +11,7 @@ namespace
 {
 constexpr int lanes = VertexTile::lanes;
 
-// What was picked, each once.
+// The picked vertices, each listed once with its multiplicity.
 struct Picks
 {
   int count = 0;
@@ -19,8 +19,8 @@ struct Picks
   int times[ShadowPicks::mostPicks];
 };
 
-// The first vertex of a lane where the sum along the lane is beyond the threshold; there is one. By bisection without
-// branches, which no processor could foretell.
+// The first vertex of a lane where the sum along the lane is beyond the threshold; there is one. Branch-free bisection,
+// because the branches would be unpredictable.
 int firstBeyond(const TileScores& scores, int lane, double threshold)
 {
   int length = scores.count / lanes, first = lane;
@@ -84,7 +84,7 @@ std::uint64_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sen
   return hidden;
 }
 
-// A total that is none must not be picked from in silence: the sums and the score say so to whoever guards them.
+// A non-finite total becomes NaN in the sums and in the score, so that checkFinite() reports it.
 double addNone(std::size_t bands, double* sum)
 {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -139,8 +139,8 @@ double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block
   return largest;
 }
 
-// A pick of one by u; false when nothing scores, or when the total is no number. By pickSystematically() a solve took 1
-// % more instructions.
+// A pick of one by u; false when nothing scores, or when the total is not finite. With pickSystematically() a solve
+// took 1 % more instructions.
 bool pickOne(const TileScores& scores, double u, int& i, double& total)
 {
   double reached[lanes] = {};

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadow rays only where they pay: vertices picked in proportion to their unshadowed scores.
+// Also known as: systematic resampling of virtual point lights (importance resampling).
+//
+// Spends shadow rays where they pay: on vertices picked in proportion to their unshadowed scores.
 #ifndef kalos_estimator_kernel_VertexResampling_h
 #define kalos_estimator_kernel_VertexResampling_h
 
@@ -24,14 +26,14 @@ struct ShadowPicks
 double addResampledScores(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double share,
                           const ShadowPicks& shadows, double* sum);
 
-/// What a single pick adds if nothing hides its target from the sensor: for shadow rays that are traced later.
+/// The contribution of a single pick if its target is visible; the caller traces the shadow ray later.
 struct ResampledScore
 {
   RayAnchor target;
   Bands light;
 };
 
-/// Picks by u in [0,1); false when nothing scores. Scores that are no numbers make `light` none either.
+/// Picks by u in [0,1); false when nothing scores. A score that is not finite makes `light` NaN.
 bool resampleOne(const VertexSet& vertices, std::size_t begin, int count, const Sensor& sensor, double share, double u,
                  ResampledScore& pick);
 }  // namespace kalos

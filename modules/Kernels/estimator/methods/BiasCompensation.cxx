@@ -18,27 +18,28 @@ namespace
 // the least variance per second on a plane and on the floor of a furnished room.
 constexpr int verticesPerPick = 16;
 
-// At right angles, and where no surface in front is nearer than this share of the square root of the scene's area,
-// vertices alone had no more variance than with gather rays: in a closet, an office and a hall with furniture, and a
-// dark room behind a door.
+// At right angles, where no surface in front is nearer than this fraction of the square root of the scene's area,
+// vertices without gather rays had no more variance: in a closet, an office, a hall with furniture and a dark room
+// behind a door.
 constexpr double clearance = 0.08;
 
-// Gather rays per trajectory where a sensor gathers, over the root of the vertices that a trajectory leaves: the best
-// share goes with the root of what a trajectory costs. On the floor, a plane and a wall of a furnished room 0.007 and
-// 0.024 took 2 to 20 % more time to the same error; more rays where more of the hemisphere is near took 5 % more there,
-// and as much at points along an edge.
+// Gather rays per trajectory of a sensor that gathers, over the root of the vertices per trajectory. The best number is
+// proportional to the root of a trajectory's cost. On the floor, a plane and a wall of a furnished room 0.007 and 0.024
+// took 2 to 20 % more time to the same error; more rays where more of the hemisphere is near took 5 % more there, and
+// as much at points along an edge.
 constexpr double raysPerRoot = 0.016;
 
-// Receivers at which a trajectory takes as long to score as it takes to trace: where there are fewer, it costs each of
-// them more. Along an edge, 48 receivers, twice the rays took three quarters of the time to the same error.
+// Number of receivers at which scoring a trajectory takes as long as tracing it. With fewer receivers, a trajectory
+// costs each of them more. Along an edge, 48 receivers, twice the rays took three quarters of the time to the same
+// error.
 constexpr double receiversPerTrace = 128;
 
-// How often a gather ray counts in the balance heuristic. Vertices fill the open evenly and score in spikes nearby, so
-// that rays are worth more than their number where both compete: on the floor, a plane and a wall of a furnished room 2
-// and 8 took up to 8 and 13 % more time than 4 to the same error.
+// How often a gather ray counts in the balance heuristic. Vertices cover open space evenly but score in spikes nearby,
+// so a ray is worth more than one vertex sample where both compete. On the floor, a plane and a wall of a furnished
+// room 2 and 8 took up to 8 and 13 % more time than 4 to the same error.
 constexpr double rayWorth = 4;
 
-// Light of a mirror reaches a receiver by gather rays only, and vertices on gloss score in spikes.
+// Only gather rays find light from mirrors, and glossy vertices score in spikes.
 bool isDiffuse(const Scene& scene)
 {
   const auto& materials = scene.data().materials;
@@ -90,7 +91,7 @@ double BiasCompensation::balance(std::size_t r, const Round& round) const
 
 Round BiasCompensation::trace(long long first, int count, int replicates, Workers& workers) const
 {
-  // A power of two: the points of a stratified sequence are even over as many.
+  // A power of two, because a Sobol' sequence is evenly stratified over that many points.
   const double rays = std::exp2(std::max(0.0, std::round(std::log2(this->rayShare() * count))));
   return {first, count, static_cast<int>(rays),
           this->Rays.trace(this->Source, this->Settings_.walks(), replicates, first, count, workers)};
@@ -186,8 +187,7 @@ AuditLine BiasCompensation::audit(int replicates, const std::vector<double>& edg
   else if (std::isfinite(this->Clearance))
     reason << "where surfaces in front weigh as much as a wall within " << this->Clearance << " m; ";
   else
-    reason << (this->Settings_.gatherEverywhere ? "as was asked for; "
-                                                : "surfaces that are not diffuse are seen by them; ");
+    reason << (this->Settings_.gatherEverywhere ? "as requested; " : "needed for surfaces that are not diffuse; ");
   reason << std::llround(std::accumulate(sent.begin(), sent.end(), 0.0)) << " rays, " << std::llround(spared)
          << " spared elsewhere";
   if (std::isfinite(this->Clearance) && edgeDistances.size() == this->Gathers.size())

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All light at sensors but that of luminaires, straight or by mirror images: by vertices and gather rays, unbiased and
-// bounded. Formula and sources: estimator/methods/CompensatedEstimation.h.
+// Also known as: bias compensation of virtual point lights (Kollig and Keller 2004).
+//
+// All light at sensors except that of luminaires (direct or by mirror images), by vertices and gather rays: unbiased
+// and bounded. Formula and sources: estimator/methods/CompensatedEstimation.h.
 #ifndef kalos_estimator_methods_BiasCompensation_h
 #define kalos_estimator_methods_BiasCompensation_h
 
@@ -26,13 +28,13 @@ struct Round
 class BiasCompensation
 {
 public:
-  /// `receivers`: how many a trajectory serves, in the whole solve.
+  /// `receivers`: number of receivers in the whole solve that share each trajectory.
   BiasCompensation(const Scene& scene, const Emission& emission, const Settings& settings, bool shadows,
                    std::size_t receivers);
 
   const GatherContext& gathering() const { return this->Rays; }
 
-  /// From now on no vertex scores: gather rays find all light (GatherContext::usePathsOnly). Before prepare().
+  /// Turns vertices off: gather rays find all light (GatherContext::usePathsOnly). Call before prepare().
   void usePathsOnly()
   {
     this->Rays.usePathsOnly();
@@ -45,15 +47,15 @@ public:
   /// Traces trajectories [first, first + count); no pools when aborted.
   Round trace(long long first, int count, int replicates, Workers& workers) const;
 
-  /// Adds a round's scores at sensors [begin, end) that do not rest; those of emitting meshes too, but where
-  /// exactMeshes(r) says that they are known there.
+  /// Adds a round's scores at sensors [begin, end) that have not converged. Includes emitting meshes unless
+  /// exactMeshes(r) says that their light is known exactly.
   void score(const std::vector<Sensor>& sensors, std::size_t begin, std::size_t end, int replicate, const Round& round,
              const std::function<bool(std::size_t)>& exactMeshes, Tally& tally) const;
 
-  /// A round has been scored at all sensors that did not rest.
+  /// Call after a round has been scored at all sensors that have not converged.
   void finish(const Round& round, const Tally& tally);
 
-  /// Saves or restores what rounds leave behind.
+  /// Saves or restores the state carried between rounds.
   void persist(Archive& archive)
   {
     archive.array(this->RaysDone);

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Also known as: instant radiosity with bias compensation (Kollig and Keller 2004).
+//
 // Method `compensated`: bounded and unbiased, with no length to tune.
 //
 //   E = E_direct + sum of a(G) X  +  integral of (1 - a(G)) L cos(theta) d omega,   a(G) = 1/(1 + G/G*)
 //
-// Vertices keep the first part, and no score exceeds M G*. A few cosine-weighted rays from the receiver gather the
-// second, the luminance where they end being (M0 + rho E)/pi by the same estimator
+// Vertices score the first part; a is their MIS weight, and no score exceeds M G*. A few cosine-weighted rays from the
+// receiver gather the second part. The luminance where they end is (M0 + rho E)/pi, by the same estimator
 // (estimator/gathering/WavefrontGather.h). The balance heuristic gives G* = (trajectories x collision density per
 // trajectory and m2) / (gather rays, each counted four times), with the density about the vertex from a pilot. Shadow
 // rays go to vertices picked in proportion to their unshadowed scores, one for every sixteen. Receivers with no surface
-// near in front take all from the vertices (G* infinite): there the kernel is bounded anyway. Bias: none. Source:
-// compensation of clamped virtual lights (Kollig and Keller 2004) with a smooth split.
+// near in front take all light from the vertices (G* infinite), because the kernel is bounded there. Bias: none.
+// Source: compensation of clamped virtual lights (Kollig and Keller 2004) with a smooth split.
 #ifndef kalos_estimator_methods_CompensatedEstimation_h
 #define kalos_estimator_methods_CompensatedEstimation_h
 

@@ -66,7 +66,7 @@ void DirectSimulation::score(const Segment& segment, int replicate, std::vector<
       met.push_back(receiver);
   });
   std::sort(met.begin(), met.end());
-  met.erase(std::unique(met.begin(), met.end()), met.end());  // the diagonal of a cell belongs to it once
+  met.erase(std::unique(met.begin(), met.end()), met.end());  // a hit on the diagonal counts once
   for (const std::uint32_t receiver : met)
     for (int b = 0; b < tally.bands(); ++b)
     {

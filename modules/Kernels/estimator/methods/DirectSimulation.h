@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Method `direct`: the flux that trajectories bring to a receiver's cell, divided by the cell's area. The baseline that
-// local estimation is measured against. Unbiased for the mean over the cell; the cell is not a point.
+// Also known as: direct simulation; light tracing with photon counting on a cell.
 //
-// A receiver without a polygon of its own gets a square of half side epsilon about its point (automatic: 1/200 of the
+// Method `direct`: the flux that trajectories bring to a receiver's cell, divided by the cell's area. The baseline for
+// local estimation. Unbiased for the mean over the cell; the cell is not a point.
+//
+// A receiver without its own polygon gets a square of half side epsilon about its point (automatic: 1/200 of the
 // scene's size).
 #ifndef kalos_estimator_methods_DirectSimulation_h
 #define kalos_estimator_methods_DirectSimulation_h

@@ -27,7 +27,7 @@ std::unique_ptr<Estimator> makeEstimator(const Scene& scene, const Receivers& re
     case Method::Direct:
       return std::make_unique<DirectSimulation>(scene, receivers, settings);
     default:
-      throw std::invalid_argument("method: is none of those that exist");
+      throw std::invalid_argument("method: does not exist");
   }
 }
 }  // namespace kalos

@@ -9,7 +9,7 @@
 
 namespace kalos
 {
-/// The estimator of settings.method. Throws std::invalid_argument for settings without meaning.
+/// The estimator of settings.method. Throws std::invalid_argument for invalid settings.
 std::unique_ptr<Estimator> makeEstimator(const Scene& scene, const Receivers& receivers, const Settings& settings);
 }  // namespace kalos
 

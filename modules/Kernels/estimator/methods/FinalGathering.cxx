@@ -14,16 +14,17 @@ namespace kalos
 {
 namespace
 {
-constexpr int trajectoriesPerSample = 32;  // of a replicate, for each sample of direct light
+constexpr int trajectoriesPerSample = 32;  // of a replicate, per sample of direct light
 constexpr std::size_t chunk = 256;         // cells that one task estimates
 constexpr double largestHits = 1 << 22;    // kept at a time: 130 MB
 constexpr int smallestRound = 512;         // trajectories that always fit: their vertices light the cells
 constexpr int phases = 4;                  // of a round
 
 // Width of cells over the distance that they are seen from, before it is rounded down to a power of two, for so many
-// rays of each receiver in a round of one replicate. Where few rays share a cell it takes more time than it saves
-// noise: cells twice as wide took 1.6 times longer to 0.5 % on a plane of 64 x 64 points, cells half as wide a tenth
-// longer to 2 % on walls. Wider than a quarter, places in the dark behind a box came out 6 to 10 % too bright.
+// rays of each receiver in a round of one replicate. Where few rays share a cell, sharing costs more time than the
+// noise it saves: cells twice as wide took 1.6 times longer to 0.5 % on a plane of 64 x 64 points, cells half as wide a
+// tenth longer to 2 % on walls. With cells wider than a quarter, dark places behind a box came out 6 to 10 % too
+// bright.
 float cellShare(int rays, std::size_t receivers)
 {
   constexpr float finest = 0.0625f, widest = 0.25f, enoughRays = 4, enoughHits = 64;
@@ -31,7 +32,7 @@ float cellShare(int rays, std::size_t receivers)
   return std::clamp(std::min(enoughRays / static_cast<float>(rays), enoughHits / std::sqrt(hits)), finest, widest);
 }
 
-// Light that leaves a diffuse surface is the same for all who see it.
+// A diffuse surface has the same luminance from everywhere, so that its estimate can be shared.
 bool isMostlyDiffuse(const Scene& scene)
 {
   double diffuse = 0;
@@ -89,7 +90,7 @@ int FinalGathering::trajectoriesPerRay() const
 
 Pace FinalGathering::pace() const
 {
-  const double scores = this->sharesRays() ? 48 : 16;  // as long as a ray takes, with all that it leads to
+  const double scores = this->sharesRays() ? 48 : 16;  // in the time of a gather ray with its whole path
   const int each = this->trajectoriesPerRay();
   return {each, smallestRound, scores / each};
 }
@@ -138,7 +139,7 @@ bool FinalGathering::addReplicates(Workers::Replicates some, std::vector<Replica
     return gathered[static_cast<std::size_t>(p - some.first) * tiles + tile];
   };
 
-  // See where the rays end.
+  // Trace the gather rays.
   nextPhase();
   bool going = workers.forEachReplicate(some, tiles, [&](int p, std::size_t tile) {
     this->traceGatherRays(tile, p, round[p], rays, hitsOf(tile, p), tally);
@@ -169,7 +170,7 @@ bool FinalGathering::addReplicates(Workers::Replicates some, std::vector<Replica
       std::copy_n(wave.light(c - begin), bands, &round[p].indirect[c * bands]);
   });
 
-  // Light the receivers by what was found.
+  // Light the receivers by the hits.
   nextPhase();
   going = going && workers.forEachReplicate(some, tiles, [&](int p, std::size_t tile) {
     this->collect(tile, p, round[p], rays, hitsOf(tile, p), tally, this->Checks[tile * this->Replicates + p]);
@@ -208,11 +209,11 @@ AuditLine FinalGathering::auditNeighbours() const
 {
   if (this->sharesRays())
     return {"neighbours", "groups of " + std::to_string(ReceiverGroup::capacity),
-            "what a gather ray of one finds lights the others too, by a shadow ray each"};
+            "a hit of one receiver's gather ray also lights the others, with one shadow ray each"};
   return {"neighbours", "each by itself",
-          this->Settings_.ownRays  ? "as was asked for"
-          : this->Rays.pathsOnly() ? "luminous surfaces are all around, and own rays are the better ones"
-                                   : "most surfaces are glossy, and their light is another for everyone"};
+          this->Settings_.ownRays  ? "as requested"
+          : this->Rays.pathsOnly() ? "luminous surfaces are all around: unshared rays take less time"
+                                   : "most surfaces are glossy: their luminance depends on the viewer"};
 }
 
 std::vector<AuditLine> FinalGathering::audit() const

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Method `gathered`: the fast one; consistent, with a bias that it measures and reports.
+// Also known as: final gathering over a cache of unbiased estimates (an irradiance cache of gather hits).
+//
+// Method `gathered`: fast and consistent, with a bias that it measures and reports.
 //
 // Stratified cosine-weighted rays leave the receivers, in packets. Where one ends, the surface is lit by
-// (M0 + rho E)/pi, and lights the receiver and its neighbours (estimator/gathering/ReceiverGroup.h). The light of
-// luminaires in E is that at the hit itself; the rest is shared by hits that lie together, as seen from the receivers:
-// they are sorted into cells (estimator/gathering/GatherHitGrid.h), the wider the fewer rays there are, and it is
-// estimated at one hit of each, drawn uniformly, without bias: by a block of the trajectories' vertices, and a gather
-// ray for what these leave (WavefrontGather::indirectLight). Near an edge cells are as small as the distance asks;
-// where a cell has one hit, nothing is shared. Where a ray ends on gloss or a mirror, the unbiased gather ray of
-// `compensated` takes its place.
+// (M0 + rho E)/pi, and lights the receiver and its neighbours (estimator/gathering/ReceiverGroup.h). Luminaires are
+// evaluated at each hit. Indirect light is shared by neighbouring hits: they are sorted into cells
+// (estimator/gathering/GatherHitGrid.h), which are wider when there are fewer rays. One hit of each cell, drawn
+// uniformly, gets an unbiased estimate: by a block of vertices, and a gather ray for the part that vertices leave
+// (WavefrontGather::indirectLight). Cells shrink with the viewing distance, so they are small near an edge; a cell with
+// one hit shares nothing. A ray that ends on a glossy surface or a mirror is replaced by the unbiased gather ray of
+// `compensated`.
 //
-// Bias: next to none in the mean over the receivers that share a cell; between them, light is spread over the cell. It
-// is second order in the cell's width over its distance. One shared hit in `checkEvery` is estimated at its own place
-// too; audit() states the mean of the difference with its standard error. Each replicate has cells of its own, so that
-// standard errors include everything. Source: radiosity with final gathering (Lischinski, Tampieri and Greenberg 1993),
-// its radiosity estimated on demand and without bias.
+// Bias: almost none in the mean over the receivers that share a cell, but light is blurred over the cell. It is second
+// order in the cell's width over its distance. One shared hit in `checkEvery` is also estimated at its own position;
+// audit() reports the mean difference with its standard error. Each replicate has its own cells, so that standard
+// errors include this error. Source: radiosity with final gathering (Lischinski, Tampieri and Greenberg 1993), its
+// radiosity estimated on demand and without bias.
 #ifndef kalos_estimator_methods_FinalGathering_h
 #define kalos_estimator_methods_FinalGathering_h
 
@@ -50,79 +52,81 @@ public:
   std::vector<AuditLine> audit() const override;
 
 private:
-  // What the rays of one tile and replicate have found in a round.
+  // The hits of one tile's gather rays, in one replicate and round.
   struct GatherHits
   {
     std::vector<SurfaceHit> hits;
     std::vector<std::size_t> ends;  // of each group's hits
   };
-  // Rays of a group that go in one packet, and which of whose they are.
+  // Collects rays of a group for one packet, with the receiver (`finder`) and the index of each.
   struct RayPacketBuffer
   {
     SegmentPacket packet;
     int finder[SegmentPacket::width], ray[SegmentPacket::width];
     int count = 0;
 
-    void add(const SegmentPacket& from, int i, int whose, int which)
+    void add(const SegmentPacket& from, int i, int receiver, int index)
     {
       this->packet.set(this->count, {from.ox[i], from.oy[i], from.oz[i]}, {from.dx[i], from.dy[i], from.dz[i]});
-      this->finder[this->count] = whose;
-      this->ray[this->count++] = which;
+      this->finder[this->count] = receiver;
+      this->ray[this->count++] = index;
     }
   };
   // One replicate's round.
   struct Replicate
   {
     GatherPool pool;
-    float cellShare = 0;  // of the distance that a cell is seen from, its width
+    float cellShare = 0;  // width of a cell over its viewing distance
     GatherHitGrid grid;
     std::vector<double> indirect;  // lx, bands() values per cell
   };
   // Luminous sums over the rays of one replicate and tile.
   struct Check
   {
-    double excess = 0;  // of cells over the hits' own places, lx
+    double excess = 0;  // of cells over estimates at the hits' own positions, lx
     double sum = 0;     // of all rays, lx
     double rays = 0, shared = 0;
     double cells = 0;  // of the whole replicate, with its first tile
   };
-  // Whether receivers take part in what their neighbours' rays find: not where luminous surfaces are all around (in a
-  // white furnace own rays took a thirtieth of the time to the same error), nor among gloss. And how many do together.
+  // Whether receivers share the hits of their neighbours' rays, and the size of a group that does. They do not where
+  // luminous surfaces are all around (in a white furnace unshared rays took a thirtieth of the time to the same error),
+  // nor where most surfaces are glossy.
   bool sharesRays() const;
   int groupSize() const;
   AuditLine auditNeighbours() const;
-  // Gather rays of each receiver of a group, when those of a whole group have so many: where fewer are active, they
-  // have its rays.
+  // Gather rays of each receiver of a group, given those of a receiver in a full group: a smaller group sends as many
+  // in total.
   int raysOfEach(const ReceiverGroup& group, int rays) const;
-  // Trajectories of a replicate for each gather ray of a receiver in that replicate, in a whole group. Time goes to
-  // trajectories where receivers are few, to rays where they are many: the best ratio goes with the root of their
-  // number. For 64 x 64 points on a floor and on walls 128 and 512 took as long to the same error, for 48 along an edge
-  // 16 and 64.
+  // Trajectories of a replicate for each gather ray of a receiver in that replicate, in a whole group. With few
+  // receivers it pays to trace more trajectories, with many to trace more rays: the best ratio is proportional to the
+  // root of their number. For 64 x 64 points on a floor and on walls 128 and 512 took as long to the same error, for 48
+  // along an edge 16 and 64.
   int trajectoriesPerRay() const;
   bool addReplicates(Workers::Replicates some, std::vector<Replicate>& round, long long first, int rays,
                      const std::function<void()>& nextPhase, Workers& workers, Tally& tally);
   void traceGatherRays(std::size_t tile, int replicate, const Replicate& round, int rays, GatherHits& gathered,
                        Tally& tally) const;
+  // Traces the buffered packet, stores its hits and empties the buffer.
   void tracePacket(RayPacketBuffer& buffer, const ReceiverGroup& group, int replicate, int each, const Replicate& round,
                    GatherHits& gathered, ReceiverRays& unshared) const;
-  // Where ray i of a packet has ended, and how far that is; false: nowhere.
+  // Finds the hit of ray i of a packet and its distance; false when the ray leaves the scene.
   bool locateHit(const Sensor& sensor, const SegmentPacket& packet, const HitPacket& found, int i, SurfaceHit& hit,
                  float& distance) const;
   std::uint64_t seedOfCells(int replicate) const;
-  // The receivers of a tile in groups, those that do not rest.
+  // The receivers of a tile that have not converged, in groups.
   std::vector<ReceiverGroup> groups(std::size_t tile, const Tally& tally) const;
   Sensor at(const SurfaceHit& hit) const;
   void estimate(const SurfaceHit& hit, int replicate, WavefrontGather& wave) const;
   void lightByLamps(const SurfaceHit* hits, const Sensor* at, int count, SampleStream& random, Bands* light) const;
   void collect(std::size_t tile, int replicate, const Replicate& round, int rays, const GatherHits& gathered,
                Tally& tally, Check& check) const;
-  // A shared hit, and how much of it all receivers take.
+  // A shared hit, and the sum of all receivers' MIS weights for it.
   struct Probe
   {
     const SurfaceHit* hit;
     double taken;
   };
-  // How much cells exceed what is estimated at these hits' own places, lx, summed up.
+  // Sum over these hits of the cell's estimate minus the estimate at the hit's own position, lx.
   double excess(const std::vector<Probe>& probes, int replicate, const Replicate& round) const;
 
   const Scene& Scene_;

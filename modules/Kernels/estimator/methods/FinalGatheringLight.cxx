@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How what a tile of receivers has seen lights it, in a round of estimator/methods/FinalGathering.h.
+// Lights a tile of receivers by the hits of its gather rays; see estimator/methods/FinalGathering.h.
 #include "estimator/methods/FinalGathering.h"
 
 #include <limits>
@@ -9,13 +9,13 @@ namespace kalos
 namespace
 {
 constexpr int width = SegmentPacket::width;
-constexpr int checkEvery = 64;  // shared hits, for each that is estimated at its own place too
+constexpr int checkEvery = 64;  // one of so many shared hits is also estimated at its own position
 }  // namespace
 
 void FinalGathering::lightByLamps(const SurfaceHit* hits, const Sensor* at, int count, SampleStream& random,
                                   Bands* light) const
 {
-  // A packet's rays start an offset above the surface: where hits are so near that this is too much, each has a ray.
+  // Packet rays start at an offset above the surface. Where a hit is too near for that offset, use single rays.
   if (std::none_of(hits, hits + count, [](const SurfaceHit& hit) { return hit.near; }))
     return this->Rays.luminaireLight(at, count, random, light);
   for (int i = 0; i < count; ++i)
@@ -29,7 +29,7 @@ void FinalGathering::collect(std::size_t tile, int replicate, const Replicate& r
   const std::uint64_t seed = mixBits(this->seedOfCells(replicate) + tile + 1);
   const RayScene* shadows = this->Rays.shadows() ? &this->Scene_.rays() : nullptr;
   std::vector<Probe> checked;
-  Bands lamps[width];  // of sixteen hits, whosever they are
+  Bands lamps[width];  // of up to 16 hits, possibly of different receivers
   Sensor at[width];
   std::size_t i = 0, g = 0;
   for (const ReceiverGroup& group : this->groups(tile, tally))
@@ -41,7 +41,7 @@ void FinalGathering::collect(std::size_t tile, int replicate, const Replicate& r
       const SurfaceHit& hit = gathered.hits[i];
       if (i % width == 0)
       {
-        // Each hit draws a luminaire of its own; a packet of them shares a stream of random numbers.
+        // Each hit draws its own luminaire; the hits of a packet share one random stream.
         SampleStream random(Sampling::Independent, seed, static_cast<std::uint64_t>(replicate), Purpose::Gather, i);
         const int count = static_cast<int>(std::min<std::size_t>(width, gathered.hits.size() - i));
         for (int k = 0; k < count; ++k)
@@ -74,7 +74,7 @@ void FinalGathering::collect(std::size_t tile, int replicate, const Replicate& r
           sum[k][b] += m + share * reflected[b];
         }
         const double all = share * (luminous[0] + (exactMeshes ? 0 : luminous[1]));
-        largest[k] = all >= 0 ? std::max(largest[k], all) : std::numeric_limits<double>::quiet_NaN();  // to stay
+        largest[k] = all >= 0 ? std::max(largest[k], all) : std::numeric_limits<double>::quiet_NaN();  // a NaN stays
         check.sum += all;
       }
       if (round.grid.cells()[hit.cell].hits < 2)

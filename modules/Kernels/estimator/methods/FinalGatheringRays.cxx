@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one tile of receivers sees in a round of estimator/methods/FinalGathering.h.
+// Traces the gather rays of one tile of receivers; see estimator/methods/FinalGathering.h.
 #include "estimator/methods/FinalGathering.h"
 
 #include <limits>
@@ -17,14 +17,14 @@ constexpr WavefrontGather::Start wholeLight(bool seesEmission, bool doublePrecis
   return {std::numeric_limits<double>::infinity(), seesEmission, doublePrecision};
 }
 
-// What others find does not serve it.
+// Whether a receiver cannot use the hits of its neighbours' rays.
 bool sharesNoHits(const Sensor& sensor)
 {
   return sensor.brdf || sensor.anchor.crowded;
 }
 }  // namespace
 
-// Random numbers of the cells: others than those of the receivers.
+// The seed of the cells' random numbers, separate from those of the receivers.
 std::uint64_t FinalGathering::seedOfCells(int replicate) const
 {
   return mixBits(mixBits(this->Settings_.seed + 0x5eed) + static_cast<std::uint64_t>(replicate)) +
@@ -62,7 +62,7 @@ void FinalGathering::traceGatherRays(std::size_t tile, int replicate, const Repl
   const std::uint64_t key =
       mixBits(mixBits(this->Settings_.seed + tile) + static_cast<std::uint64_t>(replicate)) + 0x67617468;
   const long long first = this->RaysDone * this->groupSize();
-  const int count = rays * this->groupSize();  // of a group; a receiver whose rays serve no other has as many
+  const int count = rays * this->groupSize();  // of a group, and of a receiver that shares no hits
   const GatherPattern pattern(this->Settings_.sampling, key, first, count);
   ReceiverRays unshared(this->Rays, round.pool, replicate, tally);
   SegmentPacket drawn;
@@ -114,7 +114,7 @@ bool FinalGathering::locateHit(const Sensor& sensor, const SegmentPacket& packet
   hit.near = false;
   if (found.triangle[i] == HitPacket::noTriangle || !isFarFrom(sensor.anchor, static_cast<double>(distance * distance)))
   {
-    // A ray that meets nothing may have slipped between two triangles.
+    // A miss in single precision may have slipped between two triangles.
     const SurfacePoint y = this->Scene_.trace(sensor.anchor, {d[0], d[1], d[2]});
     if (!y.valid)
       return false;
@@ -175,7 +175,7 @@ Sensor FinalGathering::at(const SurfaceHit& hit) const
   const std::uint32_t triangle = hit.side / 2;
   const Vec3 n = hit.side & 1 ? this->Scene_.normal(triangle) : -this->Scene_.normal(triangle);
   Vec3 p{hit.position[0], hit.position[1], hit.position[2]};
-  p += dot(this->Scene_.corner(triangle, 0) - p, n) * n;  // into the plane, to double precision
+  p += dot(this->Scene_.corner(triangle, 0) - p, n) * n;  // onto the plane, in double precision
   return Sensor(this->Scene_.anchor(triangle, p, n));
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Method `local`, (E1): E(r) = E_direct(r) + sum of M_i G(r, y_i) V over the vertices of the trajectories, where M_i is
-// the flux that vertex i reflects (for a glossy vertex, pi f times its incident flux). Unbiased; its variance grows
-// without bound towards concave edges and contacts, and this is kept as it is: it is what one studies.
-// Light that a receiver sees in a mirror comes from no vertex in view and is not found, but for the images of point
-// luminaires; `compensated` gathers it.
+// Also known as: next event estimation from light paths; point detector (MCNP F5); instant radiosity (VPLs, Keller
+// 1997).
 //
-// The methods that alter the kernel near the receiver (estimator/kernel/KernelRegularization.h) run on the same
-// trajectories and report how much the alteration added.
+// Method `local`, (E1): E(r) = E_direct(r) + sum of M_i G(r, y_i) V over the vertices of the trajectories, where M_i is
+// the flux that vertex i reflects (for a glossy vertex, pi f times its incident flux). Unbiased. Its variance grows
+// without bound towards concave edges and contacts. The method keeps this on purpose, as the reference to study. It
+// misses light that reaches a receiver by a mirror, except the images of point luminaires; `compensated` gathers that
+// light.
+//
+// The methods that regularize the kernel near the receiver (estimator/kernel/KernelRegularization.h) run on the same
+// trajectories and report how much that changed the result.
 #ifndef kalos_estimator_methods_LocalEstimation_h
 #define kalos_estimator_methods_LocalEstimation_h
 

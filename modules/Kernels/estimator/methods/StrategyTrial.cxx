@@ -12,7 +12,7 @@ namespace kalos
 {
 namespace
 {
-constexpr double luminousShare = 0.1;  // of the scene's area: below, no trial is worth its time
+constexpr double luminousShare = 0.1;  // of the scene's area; below this a trial does not pay
 constexpr std::size_t mostReceivers = 8;
 constexpr int replicates = 8, trajectories = 32;  // each
 constexpr double pairsPerRay = 40;                // scored in the time of a ray
@@ -28,10 +28,10 @@ bool isLuminous(const Scene& scene)
 
 struct Found
 {
-  double rays = 0;                   // or what takes as long, per receiver
+  double rays = 0;                   // per receiver; other work counts as rays of the same time
   std::vector<MeanAndError> values;  // of the receivers that were tried
 
-  // What time goes with, to the same errors. Not relative to each value: a few paths do not tell these.
+  // Proportional to the time to a given error. The error is absolute: a few paths do not give each value well enough.
   double effort() const
   {
     return this->rays * std::accumulate(this->values.begin(), this->values.end(), 0.0, [](double sum, MeanAndError v) {
@@ -113,6 +113,6 @@ bool pathsAreBetter(const Scene& scene, const Emission& emission, const Settings
 
 AuditLine auditPaths()
 {
-  return {"vertices", "none", "luminous surfaces all around: paths from the receivers alone won a trial against them"};
+  return {"vertices", "none", "luminous surfaces all around: paths without vertices won a trial"};
 }
 }  // namespace kalos

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether vertices help at all: where luminous surfaces are all around, a path from the receiver meets its light at
-// every bounce, and the vertices of trajectories only add their noise.
+// Also known as: a pilot run that chooses between bidirectional sampling and unidirectional path tracing.
+//
+// Decides whether vertices help at all. Where luminous surfaces are all around, a path from the receiver meets light at
+// every bounce, and the vertices of trajectories only add noise.
 #ifndef kalos_estimator_methods_StrategyTrial_h
 #define kalos_estimator_methods_StrategyTrial_h
 
@@ -11,10 +13,10 @@
 
 namespace kalos
 {
-/// Whether paths alone (GatherContext::usePathsOnly) take less time than vertices with gather rays to the same error,
-/// the same at every receiver. Tried at a few receivers with random numbers that no estimate uses, so that the choice
-/// moves no mean; time is counted in rays, so that it is the same on every machine. Only tried where luminous surfaces
-/// are a tenth of all, and never with Settings::alwaysVertices or gatherEverywhere.
+/// Whether paths only (GatherContext::usePathsOnly) take less time than vertices with gather rays to the same error,
+/// the same at every receiver. The trial runs at a few receivers with random numbers that no estimate uses, so the
+/// choice adds no bias. Time is counted in rays, so the choice is the same on every machine. It runs only where
+/// luminous surfaces are at least a tenth of the area, and never with Settings::alwaysVertices or gatherEverywhere.
 bool pathsAreBetter(const Scene& scene, const Emission& emission, const Settings& settings,
                     const ReceiverDirectLight& direct);
 

@@ -26,7 +26,7 @@ std::vector<T> thinned(std::vector<T> values, std::size_t most)
   return some;
 }
 
-// A point of something that shines.
+// A point of an emitter.
 struct Emitter
 {
   RayAnchor anchor;
@@ -83,7 +83,7 @@ std::vector<std::size_t> darkOnes(const std::vector<double>& values)
   return found;
 }
 
-// Which of the receivers `some` have no light in sight, in their order.
+// The receivers among `some` without light in sight, in their order.
 std::vector<std::size_t> cutOffOnes(const Scene& scene, const Receivers& receivers,
                                     const std::vector<std::size_t>& some, const std::vector<Emitter>& shining)
 {

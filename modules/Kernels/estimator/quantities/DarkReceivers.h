@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Receivers that a solve has left dark: where nothing lit is in sight, 0 lx is more often a mistake than a result.
+// Finds receivers with 0 lx. Where nothing lit is in sight, 0 lx is more often a mistake in the model than a result.
 #ifndef kalos_estimator_quantities_DarkReceivers_h
 #define kalos_estimator_quantities_DarkReceivers_h
 
@@ -9,10 +9,10 @@
 
 namespace kalos
 {
-/// What there is to say of receivers with 0 lx.
+/// Audit and flags of receivers with 0 lx.
 struct DarkReceivers
 {
-  /// Nothing where no receiver is dark, or nothing in the scene shines; else
+  /// Empty where no receiver is dark, or nothing in the scene shines; else
   ///
   /// - a line `dark receivers` counts them, and those that have light in sight, which are in full shadow or turned
   /// away;
@@ -23,12 +23,12 @@ struct DarkReceivers
   std::vector<char> valid;
 };
 
-/// Dark is what is below 1e-12 of the largest value: arithmetic leaves that much. Light is in sight when a luminaire or
-/// an emitting triangle is, or one of them from where a ray from the receiver ends, of 32 about its normal. Of more
-/// than 64 emitters so many are looked for, evenly spread.
+/// A value below 1e-12 of the largest counts as dark: that is the rounding error. Light is in sight when a luminaire or
+/// an emitting triangle is, or one of them is visible from the end of one of 32 rays from the receiver. Of more than 64
+/// emitters, 64 evenly spread ones are tested.
 ///
-/// Up to 4096 dark receivers are examined so. Of more, 4096 are, evenly spread, and each of the others that one of its
-/// two neighbours among these can see has the same answer: no surface is between them.
+/// At most 4096 dark receivers are examined, evenly spread. Each of the others takes the answer of the nearest examined
+/// one before or after it that it can see.
 DarkReceivers findDarkReceivers(const Scene& scene, const Receivers& receivers, const Result& result);
 }  // namespace kalos
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Discomfort glare by CIE 117: what the emitters in an observer's field of view contribute to
+// Discomfort glare by CIE 117: the sum over the emitters in an observer's field of view in
 //
 //   UGR = 8 log10( (0.25 / L_b) sum L^2 omega / p^2 ),   L_b = E_indirect / pi at the eye,
 //
@@ -18,7 +18,7 @@ struct Observer
   Vec3 up{0, 0, 1};  ///< any vector not along the sight
 };
 
-/// The sum, and what it is made of.
+/// The sum and the number of its sources.
 struct GlareSum
 {
   double sum = 0;   ///< sum of L^2 omega / p^2, cd^2/m^4 sr

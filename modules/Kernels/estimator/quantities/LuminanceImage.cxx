@@ -52,7 +52,7 @@ private:
   double HalfHeight;
 };
 
-// What the camera sees, as receivers with the weight of their pixel.
+// The surface points seen by the camera, as receivers weighted by pixel.
 class LinesOfSight
 {
 public:
@@ -72,7 +72,7 @@ public:
 
   const Receivers& receivers() const { return this->Seen; }
 
-  // What is emitted into the pixels, and the estimates at the receivers reflected into them.
+  // The image: exitance seen in the pixels, plus the reflected estimates at the receivers.
   LuminanceResult reflect(const Result& estimate) const
   {
     LuminanceResult image = this->Emitted;
@@ -100,7 +100,7 @@ public:
   }
 
 private:
-  static constexpr int mirrorsFollowed = 8;  // further ones are met by gather rays
+  static constexpr int mirrorsFollowed = 8;  // gather rays follow further ones
 
   void follow(std::size_t pixel, const Vec3& eye, Vec3 direction)
   {
@@ -148,7 +148,7 @@ private:
   }
 
   const Scene& Scene_;
-  LuminanceResult Emitted;  // of what is seen, its bands alone
+  LuminanceResult Emitted;  // directly seen exitance; only its bands are used
   DirectLight Luminaires;
   Receivers Seen;
   std::vector<std::size_t> Pixel;  // of each receiver

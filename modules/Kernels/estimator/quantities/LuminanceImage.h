@@ -34,8 +34,8 @@ struct LuminanceResult
 /// Called after each round with the image so far.
 using ImageSnapshot = std::function<void(const LuminanceResult&)>;
 
-/// Without a goal and a limit it runs 1024 trajectories per pixel. Luminaires have no body: they are seen in mirrors
-/// only. Throws std::invalid_argument for a camera without meaning and for what solve() refuses.
+/// Without a goal and a limit it runs 1024 trajectories per pixel. Luminaires have no body: the camera sees them only
+/// in mirrors. Throws std::invalid_argument for an invalid camera and for input that solve() rejects.
 LuminanceResult solveLuminance(const Scene& scene, const Camera& camera, const Settings& settings,
                                const Progress& progress = {}, const ImageSnapshot& snapshot = {});
 }  // namespace kalos

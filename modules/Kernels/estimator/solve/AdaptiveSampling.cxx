@@ -13,7 +13,7 @@ namespace kalos
 {
 AdaptiveSampling::AdaptiveSampling(const Goal& goal, const Tally& pilot)
 {
-  // A variance of eight replicates is good to a half: with two neighbours on either side, to a quarter.
+  // The variance of eight replicates has a relative error of a half; with two neighbours on either side, of a quarter.
   constexpr std::size_t around = 2;
   const std::vector<double> distances = goal.distances(pilot, pilotTrajectories);
   for (std::size_t r = 0; r < distances.size(); ++r)
@@ -62,6 +62,6 @@ AuditLine auditEffort(const Tally& tally, long long done)
   std::ostringstream share;
   share << std::setprecision(3) << 100 * (1 - spared / all)
         << " % of the trajectories scored at each receiver, in the mean";
-  return {"effort", share.str(), "receivers rest that have enough, by a pilot with random numbers of its own"};
+  return {"effort", share.str(), "receivers that reached the goal are skipped, by a pilot with its own random numbers"};
 }
 }  // namespace kalos

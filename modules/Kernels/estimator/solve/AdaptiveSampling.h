@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Effort where the error is: with a goal for the error, receivers that have enough rest while others go on.
+// Also known as: adaptive sampling with a pilot (two-stage sampling).
 //
-// A pilot, a short solve with random numbers of its own, tells how many trajectories each receiver needs. One converged
-// when it has had them and its own interval agrees. What decides first is not in the estimate, so that receivers do not
-// stop for being wrong by chance; the second part only adds trajectories. On a floor beside boxes the dimmest points
-// need 30 times what the mean point needs.
+// With a goal for the error, receivers that reached the goal are skipped and the others continue.
+//
+// A pilot, a short solve with its own random numbers, estimates how many trajectories each receiver needs. A receiver
+// has converged when it has had them and its own interval meets the goal. The pilot is independent of the estimate, so
+// no receiver stops because its estimate is wrong by chance; the second condition only adds trajectories. On a floor
+// beside boxes the dimmest points need 30 times what the mean point needs.
 #ifndef kalos_estimator_solve_AdaptiveSampling_h
 #define kalos_estimator_solve_AdaptiveSampling_h
 
@@ -27,7 +29,7 @@ public:
   /// Trajectories of every replicate that a receiver needs, by the pilot; those of neighbours in order are averaged.
   const std::vector<double>& needed() const { return this->Needed; }
 
-  /// Which receivers rest after `done` trajectories of every replicate: see Tally::setConverged().
+  /// Which receivers have converged after `done` trajectories of every replicate: see Tally::setConverged().
   std::vector<char> converged(const Goal& goal, const Tally& tally, long long done) const;
 
 private:
@@ -38,7 +40,7 @@ private:
 std::unique_ptr<AdaptiveSampling> planEffort(const Scene& scene, const Receivers& receivers, const Settings& settings,
                                              const Goal& goal, int replicates, const Ranks& ranks, Workers& workers);
 
-/// What resting has spared, after `done` trajectories of every replicate.
+/// The trajectories saved by skipping converged receivers, after `done` of every replicate.
 AuditLine auditEffort(const Tally& tally, long long done);
 }  // namespace kalos
 

@@ -65,7 +65,7 @@ void visit(Archive& archive, Done& done, Tally& tally, Estimator& estimator)
   tally.persist(archive);
   estimator.persist(archive);
 }
-// Fit for a message of one line, whatever bytes it has.
+// Makes any bytes printable in a one-line message.
 std::string quotable(std::string text)
 {
   text = text.substr(0, 60);
@@ -74,13 +74,13 @@ std::string quotable(std::string text)
   return text;
 }
 
-// Sealed as it should be, but by no solve.
+// Rejects a checkpoint with a valid checksum but impossible counts.
 void check(const Done& done)
 {
   constexpr long long most = std::numeric_limits<long long>::max() / 64;
   if (done.trajectories < 0 || done.trajectories > most || done.rays < 0 || !(done.seconds >= 0) ||
       !std::isfinite(done.seconds) || !(done.cpuSeconds >= 0) || !std::isfinite(done.cpuSeconds))
-    throw std::runtime_error("counts what no solve can have done; expected trajectories, rays and seconds from 0 on");
+    throw std::runtime_error("has impossible counts; expected trajectories, rays and seconds from 0 on");
 }
 }  // namespace
 
@@ -204,7 +204,7 @@ void Checkpoint::resume(const Identity& identity, Done& done, Tally& tally, Esti
   {
     throw std::invalid_argument(this->Store->name() + ": checkpoint: " + reason.what());
   }
-  if (this->Sharing.rank() > 0)  // the first rank counts for all
+  if (this->Sharing.rank() > 0)  // the first rank holds the totals
   {
     done.cpuSeconds = 0;
     done.rays = 0;

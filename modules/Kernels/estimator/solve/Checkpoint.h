@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checkpoints: what a solve has done so far, so that one that was ended goes on where it was. All random numbers are
-// keyed by what they are for, so sums and counters are all there is to keep, and the resumed run gives bitwise the
-// numbers of one that was never ended.
+// Checkpoints: the state of a solve, so that an interrupted solve can resume. All random numbers are keyed by their
+// use, so a checkpoint holds only sums and counters. A resumed solve gives bitwise the same numbers as an uninterrupted
+// one.
 //
 // Form: the word KALOSCP2; the length and the text of the identity, lines `name<TAB>value`; the length and the bytes of
 // the state; the fingerprint of all that. Lengths and fingerprint are 64-bit words in the machine's byte order.
@@ -22,7 +22,7 @@ namespace kalos
 /// The version of Kalos, as outputs and checkpoints name it.
 const char* version();
 
-/// Where a checkpoint is kept. Files come in from above: the kernels know only bytes.
+/// Where a checkpoint is kept. A higher layer handles files; the kernels know only bytes.
 class CheckpointStore
 {
 public:
@@ -31,14 +31,14 @@ public:
   /// What was saved last; empty when there is none. Throws std::invalid_argument when nothing can be saved there.
   virtual std::string load() = 0;
 
-  /// Replaces what was saved before, at once or not at all. A failure is told by other means and ends nothing.
+  /// Replaces the last save atomically. Reports a failure by other means and does not throw.
   virtual void save(const std::string& bytes) = 0;
 
   virtual std::string name() const = 0;           ///< for messages
-  virtual double interval() const { return 10; }  ///< s between saves, but for those at the end of a solve
+  virtual double interval() const { return 10; }  ///< s between saves; a solve also saves at its end
 };
 
-/// What must be the same for a solve to go on: names with values, all but threads and ranks, which change no number.
+/// What must match to resume a solve: names with values, without threads and ranks, which change no number.
 using Identity = std::vector<std::pair<std::string, std::string>>;
 Identity identify(const Scene& scene, const Receivers& receivers, const Settings& settings, bool shown);
 
@@ -47,7 +47,7 @@ Identity identify(const Scene& scene, const Receivers& receivers, const Settings
 std::string seal(const Identity& identity, const std::string& state);
 std::string unseal(const std::string& bytes, const Identity& expected);
 
-/// What a solve has done.
+/// Progress of a solve.
 struct Done
 {
   long long trajectories = 0;  ///< per replicate
@@ -63,14 +63,14 @@ class Checkpoint
 public:
   Checkpoint(CheckpointStore* store, const Ranks& ranks) : Store(store), Sharing(ranks) {}
 
-  /// Puts back what was saved, after Estimator::prepare(); every rank must call. Throws std::invalid_argument for a
-  /// checkpoint that is not of this solve.
+  /// Restores the saved state, after Estimator::prepare(); every rank must call. Throws std::invalid_argument for a
+  /// checkpoint that is from another solve.
   void resume(const Identity& identity, Done& done, Tally& tally, Estimator& estimator);
 
-  /// A round is complete: notes the state, and saves it when the interval is over. Every rank must call.
+  /// A round is complete: records the state, and saves it when the interval has passed. Every rank must call.
   void keep(Done done, Tally& tally, Estimator& estimator);
 
-  /// Saves the state noted last.
+  /// Saves the last recorded state.
   void save();
 
 private:

@@ -22,7 +22,7 @@ namespace
 constexpr long long unlimited = std::numeric_limits<long long>::max() / 64;
 constexpr int largestRound = 8192;       // trajectories per replicate: bounds the memory of the vertices
 constexpr int firstRound = 64;           // with a goal: enough for a first standard error
-constexpr double farFromGoal = 1.5;      // half-widths over what is allowed, from where a pilot pays
+constexpr double farFromGoal = 1.5;      // half-widths over the goal, above which a pilot pays
 constexpr double largestWork = 1 << 25;  // scores of trajectories: a stop loses the round that it interrupts
 
 void check(const Receivers& receivers, const Settings& s)
@@ -99,7 +99,7 @@ public:
   const Goal& goal() const { return this->Wished; }
 
 private:
-  // A power of two: the points of a stratified sequence are even over as many.
+  // A power of two, because a Sobol' sequence is evenly stratified over that many points.
   int largest(const Tally& tally) const
   {
     const double scores = static_cast<double>(tally.active()) * tally.replicates() * this->Paced.work;
@@ -171,7 +171,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
              const Snapshot& snapshot)
 {
   check(receivers, settings);
-  neighbourhood(scene, settings, 0);  // refuses delta and epsilon without meaning for every method alike
+  neighbourhood(scene, settings, 0);  // rejects invalid delta and epsilon for every method
   const bool goal = settings.relativeError > 0 || settings.seconds > 0;
   const long long limit = settings.trajectories ? settings.trajectories : goal ? unlimited : defaultTrajectories;
   const Ranks oneProcess;
@@ -188,8 +188,8 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
 
   Result result;
   result.alteredKernel = estimator->altersKernel();
-  double showing = 0;  // s that snapshots took
-  Done before;         // by the solve that this one goes on with
+  double showing = 0;  // s spent in snapshots
+  Done before;         // of the resumed solve
   auto clock = [&] {
     result.seconds = before.seconds + secondsSince(start) - workers.secondsTelling() - showing;
     result.cpuSeconds = before.cpuSeconds + static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC;
@@ -258,7 +258,7 @@ Result solve(const Scene& scene, const Receivers& receivers, const Settings& set
                             std::to_string(replicates) + " replicates are shared out, scene and receivers replicated"});
   if (result.aborted)
     result.audit.push_back({"stopped", "after " + std::to_string(result.trajectories) + " trajectories",
-                            "from outside, before the goal; the round that was under way is left out"});
+                            "from outside, before the goal; the unfinished round is discarded"});
   return result;
 }
 
@@ -272,7 +272,7 @@ Replay replay(const Scene& scene, const Receivers& receivers, const Settings& se
       throw std::invalid_argument("replay: " + message);
   };
   require(settings.relativeError == 0 && settings.seconds == 0,
-          "the solve has a goal, so that its rounds depend on all receivers; expected trajectories alone");
+          "the solve has a goal, so that its rounds depend on all receivers; expected only trajectories");
   const long long limit = settings.trajectories ? settings.trajectories : defaultTrajectories;
   const std::unique_ptr<Estimator> estimator = makeEstimator(scene, receivers, settings);
   Replay found;

@@ -19,7 +19,7 @@ std::string place(const Vec3& p)
   return text.str();
 }
 
-// The first vertex of a set that can not be scored, as words; empty when there is none.
+// Describes the first vertex of a set with an invalid flux, position or normal; empty when all are valid.
 std::string faultIn(const VertexSet& set, const Vec3& origin)
 {
   for (std::size_t i = 0; i < set.size(); ++i)

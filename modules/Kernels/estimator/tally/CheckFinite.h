@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No number that is none reaches a result.
+// Rejects scores that are NaN, infinite or negative.
 #ifndef kalos_estimator_tally_CheckFinite_h
 #define kalos_estimator_tally_CheckFinite_h
 

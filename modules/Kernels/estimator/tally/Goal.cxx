@@ -15,7 +15,7 @@ Goal::Goal(const Settings& settings, int replicates)
 
 double Goal::floorFor(double meanIlluminance) const
 {
-  constexpr double dim = 0.01;  // values below this share of the mean over all receivers need no more than that share
+  constexpr double dim = 0.01;  // of the mean over all receivers; smaller values need only this accuracy
   return this->Floor >= 0 ? this->Floor : dim * this->RelativeError * meanIlluminance;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // When the error is small enough: every receiver's 95 % half-width is within the relative error of its value, or below
-// an absolute floor. Without a floor no solve would end where hardly any light comes, in closed furniture or under a
-// box: next to nothing has no relative error.
+// an absolute floor. Without a floor, no solve would end where hardly any light arrives, in closed furniture or under a
+// box: a relative error of almost nothing is never reached.
 #ifndef kalos_estimator_tally_Goal_h
 #define kalos_estimator_tally_Goal_h
 
@@ -23,7 +23,7 @@ class Goal
 public:
   Goal(const Settings& settings, int replicates);
 
-  /// Whether there is a goal for the error at all.
+  /// Whether there is a goal for the error.
   bool wanted() const { return this->RelativeError > 0; }
 
   /// Largest half-width over what is allowed, after n trajectories of every replicate; reached at 1.

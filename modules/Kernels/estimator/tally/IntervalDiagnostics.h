@@ -3,16 +3,15 @@
 //
 // Rule. The interval of a receiver is trusted unless
 //  (1) one single score makes up more than half of the variance, x_max / N > SE / sqrt(2), and it stands out: it
-//  exceeds
-//      three times the median of the replicates' largest scores. With a finite variance the first ratio falls as
-//      1/sqrt(N); with the kernel's tail, whose variance is unbounded, it does not. Stratified walks make SE so small
-//      that a bounded score can pass for half of it, but then every replicate has one like it; of a tail that falls as
-//      1/x (kernels at an edge) the largest of 32 stays within three medians once in 2400 times, of 16 once in 38, of 8
-//      once in five: methods with so few replicates have bounded scores; or
+//      exceeds three times the median of the replicates' largest scores. With a finite variance the first ratio falls
+//      as 1/sqrt(N); with the kernel's tail, whose variance is unbounded, it does not. Stratified walks make SE so
+//      small that a bounded score can pass for half of it, but then every replicate has one like it; of a tail that
+//      falls as 1/x (kernels at an edge) the largest of 32 stays within three medians once in 2400 times, of 16 once in
+//      38, of 8 once in five: methods with so few replicates have bounded scores; or
 //  (2) the method scores the plain kernel and the vertices are too sparse to see the receiver's surroundings: of 64
 //      cosine-weighted probe rays from the receiver the third largest kernel G (so 4 % of the irradiating hemisphere)
-//      has fewer than 10 vertices expected in its area 1/G. Then the spikes that carry that light are too rare to have
-//      been met, and a quiet sample only looks exact.
+//      has fewer than 10 vertices expected in its area 1/G. Then the spikes that carry that light are probably not
+//      sampled yet, and the standard error is too small.
 #ifndef kalos_estimator_tally_IntervalDiagnostics_h
 #define kalos_estimator_tally_IntervalDiagnostics_h
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays that look at what surrounds a sensor before anything is estimated.
+// Rays that explore the surroundings of a sensor before the estimate starts.
 #ifndef kalos_estimator_tally_ProbeRays_h
 #define kalos_estimator_tally_ProbeRays_h
 

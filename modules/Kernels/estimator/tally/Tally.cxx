@@ -49,7 +49,7 @@ void Tally::setConverged(std::vector<char> receivers)
 
 void Tally::keepConverged(long long first, int count)
 {
-  // Sums are divided by all trajectories: they grow as if the missed ones had scored like those before.
+  // Sums are divided by all trajectories, so scale them as if the skipped ones had scored like those before.
   const double grown = static_cast<double>(first + count) / static_cast<double>(first);
   for (std::size_t r = 0; r < this->Receivers; ++r)
   {

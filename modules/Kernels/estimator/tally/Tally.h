@@ -30,7 +30,7 @@ public:
   double* total(std::size_t receiver, int replicate) { return &this->Total[this->at(receiver, replicate)]; }
   double* direct(std::size_t receiver, int replicate) { return &this->Direct[this->at(receiver, replicate)]; }
 
-  /// What becomes of the light of the trajectories of a replicate.
+  /// Energy balance of the trajectories of a replicate.
   EnergySums& energy(int replicate) { return this->Energy.of(replicate); }
   template <class Pools>
   void noteEnergy(const Pools& pools)
@@ -40,13 +40,13 @@ public:
   }
   std::vector<AuditLine> auditEnergy() const { return this->Energy.audit(); }
 
-  /// What an altered kernel scored less what the plain one would have, luminous.
+  /// Luminous score of the altered kernel minus that of the plain one.
   double& correction(std::size_t receiver, int replicate)
   {
     return this->Correction[receiver * this->Replicates + replicate];
   }
 
-  /// Notes one luminous score, in the unit of total(); one that is none makes the receiver unsound for good.
+  /// Notes one luminous score, in the unit of total(); a NaN or negative score invalidates the receiver permanently.
   void noteScore(std::size_t receiver, int replicate, double score)
   {
     double& largest = this->Largest[receiver * this->Replicates + replicate];
@@ -58,21 +58,23 @@ public:
     return this->Largest[receiver * this->Replicates + replicate];
   }
 
-  /// Whether all sums are finite, and no score that was noted was negative or not a number.
+  /// Whether all sums are finite and no noted score was negative or NaN.
   bool sound(std::size_t receiver, int replicate) const;
 
   /// Fetches from every rank the sums of the replicates that it owns.
   void exchange(const Ranks& ranks);
 
-  /// Receivers that take no part in the coming rounds, 1 each, estimators skip them; their estimates stay.
+  /// Marks (1) the receivers that reached the goal: estimators skip them in the coming rounds, and their estimates
+  /// stay.
   void setConverged(std::vector<char> receivers);
   bool converged(std::size_t receiver) const { return this->Converged[receiver] != 0; }
   std::size_t active() const { return this->Active; }
 
-  /// After a round of trajectories [first, first + count): who rested keeps the estimate of the first ones.
+  /// After a round of trajectories [first, first + count): converged receivers keep their estimate from the earlier
+  /// rounds.
   void keepConverged(long long first, int count);
 
-  /// Of n trajectories of a replicate, those that the receiver took part in.
+  /// Of n trajectories of a replicate, those that scored at the receiver.
   long long trajectories(std::size_t receiver, long long n) const { return n - this->Missed[receiver]; }
 
   /// Saves or restores the sums, the fixed part too.
@@ -81,7 +83,7 @@ public:
   /// Photometric mean and standard error over the replicates, n trajectories each.
   MeanAndError summary(std::size_t receiver, long long n) const;
 
-  /// The photometric estimates of all replicates, n trajectories each; of the indirect part alone if wanted.
+  /// The photometric estimates of all replicates, n trajectories each; of the indirect part only, if `indirectOnly`.
   std::vector<double> estimates(std::size_t receiver, long long n, bool indirectOnly = false) const;
 
   /// Largest single score over the sum of all, in [0, 1], with what does not fluctuate counted in the sum.
@@ -105,7 +107,7 @@ private:
   EnergyBalance Energy;
   std::vector<double> Fixed, Total, Direct, Correction, Largest;
   std::vector<char> Converged;    // per receiver
-  std::vector<long long> Missed;  // trajectories of a replicate while it rested
+  std::vector<long long> Missed;  // trajectories of a replicate that it skipped
   std::size_t Active;
 };
 }  // namespace kalos

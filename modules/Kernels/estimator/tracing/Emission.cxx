@@ -26,7 +26,7 @@ EmissionSample Emission::sample(SampleStream& random) const
   const double target = random.next() * this->TotalFlux;
   const auto found = std::upper_bound(this->Cumulative.begin(), this->Cumulative.end(), target);
   const auto i = std::min<std::size_t>(found - this->Cumulative.begin(), this->Cumulative.size() - 1);
-  // What the choice leaves over is uniform again: emitter, point and direction are one block of numbers.
+  // Reuse the remainder of the choice as a uniform number, so that emitter, point and direction use one Sobol' block.
   const double before = i ? this->Cumulative[i - 1] : 0;
   const double u = std::min((target - before) / (this->Cumulative[i] - before), 0x1.fffffffffffffp-1);
   const std::size_t luminaires = this->Scene_.data().luminaires.size();

@@ -69,7 +69,7 @@ std::vector<AuditLine> EnergyBalance::audit() const
     lines.push_back({"warning", what, expected});
   };
   if (std::abs(balance.mean) > 6 * balance.standardError + 1e-9)
-    warn("light is lost or made", "what is absorbed and what escapes must be what is emitted: " + reason.str());
+    warn("light is lost or made", "absorbed and escaped light must add up to the emitted light: " + reason.str());
   std::size_t worst = 0;
   for (std::size_t s = 0; s < this->Scene_.surfaces(); ++s)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What becomes of the light of the trajectories: emitted = absorbed + escaped, within error bars, in every run.
+// Energy balance of the trajectories: emitted = absorbed + escaped, within error bars, in every run.
 #ifndef kalos_estimator_tracing_EnergyBalance_h
 #define kalos_estimator_tracing_EnergyBalance_h
 
@@ -35,7 +35,7 @@ private:
   std::vector<double> Values;
 };
 
-/// The sums of every replicate, and what they say.
+/// The sums of every replicate, and the checks on them.
 class EnergyBalance
 {
 public:
@@ -51,8 +51,8 @@ public:
   ///   meant) leaves the scene; the surface is the one that most of it was last seen at.
   /// - wrong side: all of 32 or more starts on the surface leave the scene at once, or all of 1024 or more meet first
   ///   the surface itself, and there are others.
-  /// - unseen: 8 or more of the vertices on a surface, and more than 1 in 200 of those checked, do not see what their
-  ///   own trajectories went on to hit (see VisibilityCheck): local estimation loses their light.
+  /// - unseen: 8 or more of the vertices on a surface, and more than 1 in 200 of those checked, do not see the next hit
+  /// of their own trajectory (see VisibilityCheck): local estimation loses their light.
   /// - imbalance: absorbed and escaped differ from emitted by more than 6 standard errors (false alarm below 1e-6).
   ///
   /// No lines where no trajectories were traced.

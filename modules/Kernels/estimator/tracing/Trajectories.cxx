@@ -15,7 +15,7 @@ void LightVertices::append(const LightVertices& other)
 
 namespace
 {
-// Where the light of an emitting mesh goes first.
+// Counts the first hits of light from an emitting mesh.
 void noteStart(const Scene& scene, std::size_t surface, const SurfacePoint& met, EnergySums& energy)
 {
   energy.starts(surface) += 1;
@@ -26,7 +26,7 @@ void noteStart(const Scene& scene, std::size_t surface, const SurfacePoint& met,
 }
 
 // Walks one trajectory. `onStart(sample)`, `onSegment(from, direction, point, weight, first)` and `onCollision(point,
-// towardsLight, weight)` see what happens. Notes in `energy` what becomes of the light.
+// towardsLight, weight)` are called at each event. Adds the energy balance to `energy`.
 template <class OnStart, class OnSegment, class OnCollision>
 void walk(const Scene& scene, const Emission& emission, SampleStream random, EnergySums& energy, OnStart onStart,
           OnSegment onSegment, OnCollision onCollision)
@@ -56,7 +56,7 @@ void walk(const Scene& scene, const Emission& emission, SampleStream random, Ene
     }
     onCollision(point, -direction, weight, fromPoint && !first);
 
-    // Reflect, or be absorbed with the probability of the luminous share that the surface absorbs.
+    // Russian roulette: absorbed with the probability of the luminous absorptance, else reflected.
     const Brdf& brdf = scene.brdf(point.triangle);
     energy.absorbed() += luminous * (1 - brdf.material().mirror - brdf.albedo(-dot(point.normal, direction), weight));
     last = scene.surface(point.triangle);

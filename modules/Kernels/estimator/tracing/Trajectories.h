@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Trajectories of light, from the emitters over the surfaces until they are absorbed or leave.
+// Trajectories of light (light subpaths), from the emitters until absorption or escape.
 #ifndef kalos_estimator_tracing_Trajectories_h
 #define kalos_estimator_tracing_Trajectories_h
 
@@ -24,10 +24,10 @@ struct LightVertices
   void append(const LightVertices& other);
 };
 
-/// Replicates from here on are in no estimate: what is decided by their random numbers moves no mean.
+/// Replicates from this number on enter no estimate, so decisions based on them add no bias.
 constexpr int pilotReplicate = 1 << 20;
 
-/// One step of a trajectory, told to whoever simulates directly.
+/// One step of a trajectory, for direct simulation.
 struct Segment
 {
   Vec3 from, to;  ///< `to` lies just behind the surface that is hit, or far outside when it leaves the scene
@@ -41,7 +41,7 @@ struct Segment
 LightVertices traceTrajectories(const Scene& scene, const Emission& emission, const Walks& walks, int replicate,
                                 long long first, int count);
 
-/// The same trajectories, segment by segment. Returns what became of their light.
+/// The same trajectories, segment by segment. Returns their energy balance.
 EnergySums walkTrajectories(const Scene& scene, const Emission& emission, const Walks& walks, int replicate,
                             long long first, int count, const std::function<void(const Segment&)>& visit);
 }  // namespace kalos

@@ -51,8 +51,7 @@ VertexDensity::VertexDensity(const Scene& scene, const Emission& emission, const
 
 double VertexDensity::densityIn(double cube, const std::vector<Collision>& inside)
 {
-  // What lies close together fills less than the cube, wherever it is cut: n uniform points span (n - 1) / (n + 1) of
-  // it.
+  // Correct for the extent of the points: n uniform points span (n - 1) / (n + 1) of a cube.
   Vec3 low = inside.empty() ? Vec3{} : inside.front().position, high = low;
   for (const Collision& c : inside)
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A few trajectories that no estimate uses: how dense vertices will lie, so that effort and weights can be chosen on
-// samples that do not enter the result.
+// Also known as: pilot run; density estimation of the light vertices.
+//
+// Estimates the density of vertices from a few trajectories that no estimate uses, so that sample numbers and weights
+// do not depend on samples of the result.
 #ifndef kalos_estimator_tracing_VertexDensity_h
 #define kalos_estimator_tracing_VertexDensity_h
 

@@ -52,7 +52,7 @@ void divide(const VertexSet& set, int count, int first, int last, std::size_t* b
   const int middle = (first + last) / 2;
   std::size_t* split = begin + heldBy(first, middle, count);
   const std::vector<float>& x = longestSide(set, begin, end);
-  // Equal coordinates are told apart, so that every library divides alike.
+  // Break ties, so that every standard library divides alike.
   std::nth_element(begin, split, end,
                    [&](std::size_t a, std::size_t b) { return x[a] < x[b] || (!(x[b] < x[a]) && a < b); });
   divide(set, count, first, middle, begin);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vertices that trajectories leave on the surfaces.
+// Light vertices (virtual point lights): the collisions and starts of trajectories.
 #ifndef kalos_estimator_tracing_VertexSet_h
 #define kalos_estimator_tracing_VertexSet_h
 
@@ -32,10 +32,10 @@ struct VertexSet
     return {this->position(i), this->normal(i), this->lift[i], this->slope[i]};
   }
 
-  /// What is left of an anchor in single precision.
+  /// An anchor rounded to single precision.
   static RayAnchor stored(const RayAnchor& at);
 
-  /// A number for random streams that tells vertices apart, from the bits of the position.
+  /// A key for random streams, from the bits of the position.
   long long key(std::size_t i) const;
 
   void add(const RayAnchor& at, const Bands& fluxPerBand, double inverse = -1);

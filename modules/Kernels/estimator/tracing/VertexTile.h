@@ -10,7 +10,7 @@ namespace kalos
 /// Vertices [begin, begin + count) of a set, count <= capacity, paired with one sensor.
 struct VertexTile
 {
-  static constexpr int capacity = 512;  ///< enough to hide what a call costs
+  static constexpr int capacity = 512;  ///< enough to hide the cost of a call
   static constexpr int lanes = 16;      ///< vertices that are scored side by side
 
   const VertexSet& vertices;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A check that every run makes: a vertex must see what its own trajectory went on to hit.
+// A check in every run: a vertex must see the next hit of its own trajectory.
 #ifndef kalos_estimator_tracing_VisibilityCheck_h
 #define kalos_estimator_tracing_VisibilityCheck_h
 
@@ -7,8 +7,8 @@
 
 namespace kalos
 {
-/// The trajectory has travelled from the vertex to the next surface point in double precision. Local estimation asks
-/// again, with a shadow ray in single precision. Where the answers differ, the vertex does not deliver its light: the
+/// The trajectory has travelled from the vertex to the next surface point in double precision. Local estimation tests
+/// the same segment with a shadow ray in single precision. Where the two disagree, the light of the vertex is lost: the
 /// sums count it, and EnergyBalance::audit() warns.
 class VisibilityCheck
 {
@@ -20,7 +20,7 @@ public:
   /// The segment from a vertex at `from` on `surface` to a surface point.
   void add(const RayAnchor& from, std::size_t surface, const SurfacePoint& to);
 
-  /// Counts what was added since.
+  /// Traces the segments added since the last call, and counts them.
   void finish();
 
 private:
