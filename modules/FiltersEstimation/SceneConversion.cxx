@@ -101,10 +101,24 @@ void RefuseLostPolygons(vtkPolyData* input, vtkPolyData* triangles)
                                 " triangles have no area or cross themselves, expected simple polygons");
 }
 
+/// The same cells in objects of their own: VTK's filters traverse cells by a position that the cell array itself holds,
+/// so that solves in several threads must not share it. The numbers are shared.
+vtkSmartPointer<vtkPolyData> WithOwnTraversal(vtkPolyData* surfaces)
+{
+  auto own = vtkSmartPointer<vtkPolyData>::New();
+  own->ShallowCopy(surfaces);
+  vtkNew<vtkCellArray> polygons, strips;
+  polygons->ShallowCopy(surfaces->GetPolys());
+  strips->ShallowCopy(surfaces->GetStrips());
+  own->SetPolys(polygons);
+  own->SetStrips(strips);
+  return own;
+}
+
 void AddSurfaces(vtkPolyData* surfaces, kalos::SceneDescription& scene)
 {
   vtkKalosArrayLengths::Require(surfaces->GetCellData(), surfaces->GetNumberOfCells(), "surface cells");
-  const vtkSmartPointer<vtkPolyData> input = CutConcavePolygons(surfaces);
+  const vtkSmartPointer<vtkPolyData> input = CutConcavePolygons(WithOwnTraversal(surfaces));
   vtkNew<vtkTriangleFilter> triangulate;
   triangulate->SetInputData(input);
   triangulate->PassLinesOff();
