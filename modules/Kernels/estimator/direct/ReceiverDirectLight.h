@@ -37,6 +37,8 @@ public:
   }
 
   /// There is no light but this: nothing reflects, and all emission is known in closed form.
+  /// lx, photometric, of what prepare() has found of direct light; 0 at a receiver with a BRDF.
+  double illuminance(std::size_t receiver) const;
   /// Whether no light of point luminaires in mirrors is left out that matters: see MirrorImages::truncated().
   bool hasAllImages() const { return !this->Mirrored.truncated(); }
   bool complete() const { return !this->Found.reflects && this->ClosedForms; }
