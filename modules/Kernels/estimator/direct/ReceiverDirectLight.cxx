@@ -110,6 +110,13 @@ void ReceiverDirectLight::measureVisibility(std::size_t r)
   view.visibleShare = visible / pilotSamples;
 }
 
+double ReceiverDirectLight::illuminance(std::size_t r) const
+{
+  const int bands = this->Scene_.bands();
+  return photometric(this->Views[r].points, bands) +
+         this->Views[r].visibleShare * photometric(this->Views[r].areas, bands);
+}
+
 bool ReceiverDirectLight::isSteady(std::size_t r) const
 {
   if (this->Sampled || this->direct().hasOpenings())

@@ -36,6 +36,9 @@ public:
     this->MeshesSeen = true;
   }
 
+  /// lx, photometric, of what prepare() has found of direct light; 0 at a receiver with a BRDF.
+  double illuminance(std::size_t receiver) const;
+
   /// Whether no important mirror image of a point luminaire is left out: see MirrorImages::truncated().
   bool hasAllImages() const { return !this->Mirrored.truncated(); }
 

@@ -48,6 +48,7 @@ FinalGathering::FinalGathering(const Scene& scene, const Receivers& receivers, c
       Source(scene),
       Direct(scene, receivers, settings, trajectoriesPerSample),
       Rays(scene, this->Source, settings, this->Direct.shadows()),
+      Spots(scene, receivers.points.size()),
       Faces(facesOf(scene)),
       Order(orderOf(this->Direct.sensors())),
       MostlyDiffuse(isMostlyDiffuse(scene))
@@ -65,6 +66,14 @@ bool FinalGathering::prepare(Workers& workers, Tally& tally)
   this->Rays.usePathsOnly();
   this->Direct.leaveMeshesToRays();
   return this->Direct.prepare(workers, tally);
+}
+
+bool FinalGathering::trusts(std::size_t receiver, long long trajectories) const
+{
+  const double rays = static_cast<double>(trajectories) / this->trajectoriesPerRay() * this->groupSize();
+  return this->Direct.hasAllImages() &&
+         (this->Direct.complete() ||
+          this->Spots.areSeen(this->Direct.sensors()[receiver], rays, this->Direct.illuminance(receiver)));
 }
 
 bool FinalGathering::sharesRays() const

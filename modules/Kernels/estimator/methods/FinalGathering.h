@@ -28,6 +28,7 @@
 #include "estimator/gathering/ReceiverGroup.h"
 #include "estimator/gathering/ReceiverRays.h"
 #include "estimator/methods/Estimator.h"
+#include "estimator/tally/HotSpots.h"
 
 namespace kalos
 {
@@ -41,10 +42,7 @@ public:
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
   bool skipsConverged() const override { return true; }
-  bool trusts(std::size_t /*receiver*/, long long /*trajectories*/) const override
-  {
-    return this->Direct.hasAllImages();
-  }
+  bool trusts(std::size_t receiver, long long trajectories) const override;
   int replicates(long long trajectories) const override { return fewReplicates(trajectories); }
   Pace pace() const override;
   void exchange(const Ranks& ranks) override;
@@ -134,6 +132,7 @@ private:
   Emission Source;
   ReceiverDirectLight Direct;
   GatherContext Rays;
+  HotSpots Spots;
   std::vector<Face> Faces;
   std::vector<std::size_t> Order;  // receivers, so that those beside each other follow each other
   bool MostlyDiffuse;
