@@ -204,7 +204,7 @@ int vtkKalosSceneReader::RequestData(vtkInformationVector* outputVector)
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorMacro(<< this->FileName << ": scene: needs more memory than there is; expected a smaller scene");
+    vtkErrorMacro(<< this->FileName << ": scene: does not fit in memory; expected a smaller scene");
     return 0;
   }
   return 1;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What needs more memory than there is is refused before it is begun, with both figures."""
+"""A solve that would not fit in memory is refused, with the required and the available bytes."""
 import re
 import resource
 import time

@@ -123,7 +123,7 @@ private:
   bool Shadows;
   bool HasOpenings = false;
   std::vector<Area> Areas;
-  std::vector<std::size_t> LuminaireOf, AreaOf;  // of an area that is none of a mesh; of a luminaire, or noArea
+  std::vector<std::size_t> LuminaireOf, AreaOf;  // of an area that belongs to no mesh; of a luminaire, or noArea
   LightSampler Choice;
 };
 }  // namespace kalos
