@@ -82,7 +82,8 @@ Count compare(const Scene& scene, int pairs, std::uint64_t seed)
       continue;
     VertexSet one;
     one.add(scene.anchor(b.triangle, b.p, b.n), uniformBands(1));
-    const Sensor sensor(placeReceiver(scene, a.p, a.n));
+    // As a receiver, which does not know its surface, or as a place that a gather ray has found.
+    const Sensor sensor(i % 2 ? placeReceiver(scene, a.p, a.n) : scene.anchor(a.triangle, a.p, a.n));
     SegmentPacket packet;
     const int first = 0;
     fillPacket(one, sensor, &first, 1, packet);
@@ -199,7 +200,7 @@ TEST(Rounding, ABrightPanelInTheMiddleIsSeen)
       std::vector<double> truth;
       for (int i = 0; i < 12; ++i)
       {
-        const Vec3 p = i % 2 ? Vec3{n.x > 0 ? 5.0 : -5.0, -3 + 0.5 * i, 0.3} : Vec3{-3 + 0.5 * i, 5, -0.4};
+        const Vec3 p = i % 2 ? Vec3{n.x > 0 ? 5.0 : -5.0, -3 + 0.5 * i, 1.4} : Vec3{-3 + 0.5 * i, 5, -1.4};
         const Vec3 facing = i % 2 ? Vec3{n.x > 0 ? -1.0 : 1.0, 0, 0} : Vec3{0, -1, 0};
         if (!(dot(p - lamp.position, n) > 0))  // the lamp would light it
           continue;
@@ -264,36 +265,5 @@ TEST(Rounding, ThinWallsDoNotLeak)
         leaked += scene.rays().occluded(packet, 1) == 0 || !scene.rays().occluded(a, b);
       }
       EXPECT_EQ(leaked, 0) << thickness << " m, turn " << turn;
-    }
-}
-
-// On the side of a box, on its foot and in the corner of a room, from a nanometre to a millimetre off the floor:
-// everywhere 250 lx, in any pose. 7 degrees of freedom, 96 values: 12 standard errors raise a false alarm of 7e-4.
-TEST(Rounding, FurnaceAtTheFoot)
-{
-  for (std::uint64_t turn = 0; turn < 3; ++turn)
-    for (const Method method : {Method::Compensated, Method::Gathered})
-    {
-      Pose pose;
-      if (turn > 0)
-        pose.axes = randomAxes(turn);
-      pose.shift = turn == 2 ? Vec3{1000, -2000, 500} : Vec3{};
-      Receivers r;
-      for (const double h : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 0.0})
-      {
-        r.points.insert(r.points.end(), {{1, 1.5, h}, {1.5, 1 - h, 0}, {h, h, 0}, {5, 5 - h, 5 - h}});
-        r.normals.insert(r.normals.end(), {{-1, 0, 0}, {0, 0, 1}, {0, 0, 1}, {-1, 0, 0}});
-      }
-      Settings s;
-      s.method = method;
-      s.trajectories = 16384;
-      s.alwaysVertices = true;
-      const Result result = solve(Scene(posed(rooms::furnace(0.6, 100), pose)), posed(r, pose), s);
-      for (std::size_t i = 0; i < r.points.size(); ++i)
-      {
-        EXPECT_LT(std::abs(result.illuminance[i] - 250), 12 * result.standardError[i])
-            << "turn " << turn << ", point " << i << ": " << result.illuminance[i];
-        EXPECT_LT(result.standardError[i], 0.025 * 250) << "turn " << turn << ", point " << i;
-      }
     }
 }

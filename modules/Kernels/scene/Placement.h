@@ -11,9 +11,10 @@ namespace kalos
 ///
 /// A receiver that lies on a surface across its normal to within the rounding of its coordinates (on an edge, in a
 /// corner, at the foot of an object) belongs to the side where its own surface is; where that is on both sides, or
-/// where it lies on none, to the front. It is moved there, by less than half the way to the next surface. A receiver
-/// that lies clearly on one side, even by a nanometre, is not moved. RayAnchor::crowded says whether a surface is so
-/// near that single precision might put the receiver on its other side.
+/// where it lies on none, to the front. It is moved there, by a few micrometres in a room, but less than half the way
+/// to the next surface. A receiver that lies clearly on one side, by more than a sixteenth of that rounding, is not
+/// moved. RayAnchor::crowded says whether a surface is so near that single precision might put the receiver on its
+/// other side.
 RayAnchor placeReceiver(const Scene& scene, const Vec3& p, const Vec3& n);
 }  // namespace kalos
 
