@@ -32,9 +32,9 @@ void changeArrays(const Change& change, VertexSet& v, const Set&... others)
 
 RayAnchor VertexSet::stored(const RayAnchor& at)
 {
-  VertexSet one;
-  one.add(at, {});
-  return one.anchor(0);
+  auto single = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  auto each = [&](const Vec3& v) { return Vec3{single(v.x), single(v.y), single(v.z)}; };
+  return {each(at.point), each(at.normal), single(at.base), single(at.slope)};
 }
 
 void VertexSet::add(const RayAnchor& at, const Bands& m, double inverse)
