@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/gathering/HitAccumulation.h"
+
+#include <limits>
+
+namespace kalos
+{
+namespace
+{
+constexpr int width = SegmentPacket::width;
+}
+
+void HitAccumulation::lightByLuminaires(const SurfaceHit* hits, const Sensor* at, int count, SampleStream& random,
+                                        Bands* light) const
+{
+  // Packet rays start at an offset above the surface. Where a hit is too near for that offset, use single rays.
+  if (std::none_of(hits, hits + count, [](const SurfaceHit& hit) { return hit.near; }))
+    return this->Rays.luminaireLight(at, count, random, light);
+  for (int i = 0; i < count; ++i)
+    light[i] = this->Rays.luminaireLight(at[i], random);
+}
+
+void HitAccumulation::add(std::size_t tile, const GatherHits& gathered, const CellShading& cells, Tally& tally,
+                          InterpolationCheck::Sums& sums) const
+{
+  const GatherRound& round = cells.round();
+  const std::uint64_t seed = mixBits(round.seed + tile + 1);
+  InterpolationProbes probes(this->Rays, cells, sums);
+  Bands luminaires[width];  // of up to 16 hits, possibly of different receivers
+  Sensor at[width];
+  std::size_t i = 0, g = 0;
+  for (const ReceiverGroup& group : this->Plan.groups(tile, tally))
+  {
+    GroupLight found;
+    for (const std::size_t end = gathered.ends[g++]; i < end; ++i)
+    {
+      const SurfaceHit& hit = gathered.hits[i];
+      if (i % width == 0)
+      {
+        // Each hit draws its own luminaire; the hits of a packet share one random stream.
+        SampleStream random(Sampling::Independent, seed, static_cast<std::uint64_t>(round.replicate), Purpose::Gather,
+                            i);
+        const int count = static_cast<int>(std::min<std::size_t>(width, gathered.hits.size() - i));
+        for (int k = 0; k < count; ++k)
+          at[k] = sensorAt(this->Rays.scene(), (&hit)[k]);
+        this->lightByLuminaires(&hit, at, count, random, luminaires);
+      }
+      probes.note(hit, this->addHit(hit, at[i % width], luminaires[i % width], cells.indirect(hit), group, found));
+    }
+    sums.sum += found.all;
+    sums.rays += static_cast<double>(group.size()) * this->Plan.raysOfEach(group, round.rays);
+    this->store(group, found, round, tally);
+  }
+  probes.finish();
+}
+
+// Returns the sum of all receivers' MIS weights for the hit.
+double HitAccumulation::addHit(const SurfaceHit& hit, const Sensor& at, const Bands& luminaires, const double* indirect,
+                               const ReceiverGroup& group, GroupLight& found) const
+{
+  const Scene& scene = this->Rays.scene();
+  const int bands = scene.bands();
+  float shares[ReceiverGroup::capacity];
+  group.share(at, hit.finder, hit.near, this->Rays.shadows() ? &scene.rays() : nullptr, shares);
+  const Material& material = scene.material(hit.side / 2);
+  Bands reflected, emitted;
+  for (int b = 0; b < bands; ++b)
+  {
+    emitted[b] = hit.side & 1 ? material.exitance[b] : 0;
+    reflected[b] = material.reflectance[b] * (luminaires[b] + indirect[b]);
+  }
+  const double luminous[2] = {photometric(reflected, bands), photometric(emitted, bands)};
+  double taken = 0;
+  for (int k = 0; k < group.size(); ++k)
+  {
+    const double share = shares[k];
+    if (share == 0)
+      continue;
+    const bool exactMeshes = this->Direct.exactMeshes(group.receiver(k));
+    taken += share;
+    for (int b = 0; b < bands; ++b)
+    {
+      const double m = exactMeshes ? 0 : share * emitted[b];
+      found.emission[k][b] += m;
+      found.sum[k][b] += m + share * reflected[b];
+    }
+    const double all = share * (luminous[0] + (exactMeshes ? 0 : luminous[1]));
+    found.largest[k] =
+        all >= 0 ? std::max(found.largest[k], all) : std::numeric_limits<double>::quiet_NaN();  // a NaN stays
+    found.all += all;
+  }
+  return taken;
+}
+
+void HitAccumulation::store(const ReceiverGroup& group, const GroupLight& found, const GatherRound& round,
+                            Tally& tally) const
+{
+  const double weight = static_cast<double>(round.pool.trajectories) / this->Plan.raysOfEach(group, round.rays);
+  for (int k = 0; k < group.size(); ++k)
+  {
+    const std::size_t r = group.receiver(k);
+    tally.noteScore(r, round.replicate, weight * found.largest[k]);
+    for (int b = 0; b < tally.bands(); ++b)
+    {
+      tally.total(r, round.replicate)[b] += weight * found.sum[k][b];
+      tally.direct(r, round.replicate)[b] += weight * found.emission[k][b];
+    }
+  }
+}
+}  // namespace kalos

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lights receivers by the hits of their gather rays.
+//
+// Where a ray has hit, the surface is lit by (M0 + rho E)/pi; E is the light of luminaires, evaluated at each hit, and
+// the indirect light of the cell. It lights the receiver that sent the ray and its neighbours
+// (estimator/gathering/ReceiverGroup.h).
+#ifndef kalos_estimator_gathering_HitAccumulation_h
+#define kalos_estimator_gathering_HitAccumulation_h
+
+#include "estimator/gathering/GatherHitTracer.h"
+#include "estimator/gathering/InterpolationCheck.h"
+
+namespace kalos
+{
+class HitAccumulation
+{
+public:
+  /// All must outlive this.
+  HitAccumulation(const GatherContext& gathering, const ReceiverDirectLight& direct, const GatherPlan& plan)
+      : Rays(gathering), Direct(direct), Plan(plan)
+  {
+  }
+
+  /// Adds the light of a tile's hits to the tally, and what they say about the cells to `sums`.
+  void add(std::size_t tile, const GatherHits& gathered, const CellShading& cells, Tally& tally,
+           InterpolationCheck::Sums& sums) const;
+
+private:
+  // What the receivers of a group have found.
+  struct GroupLight
+  {
+    Bands sum[ReceiverGroup::capacity] = {}, emission[ReceiverGroup::capacity] = {};
+    double largest[ReceiverGroup::capacity] = {};  // luminous
+    double all = 0;                                // luminous, of all receivers
+  };
+  void lightByLuminaires(const SurfaceHit* hits, const Sensor* at, int count, SampleStream& random, Bands* light) const;
+  double addHit(const SurfaceHit& hit, const Sensor& at, const Bands& luminaires, const double* indirect,
+                const ReceiverGroup& group, GroupLight& found) const;
+  void store(const ReceiverGroup& group, const GroupLight& found, const GatherRound& round, Tally& tally) const;
+
+  const GatherContext& Rays;
+  const ReceiverDirectLight& Direct;
+  const GatherPlan& Plan;
+};
+}  // namespace kalos
+
+#endif
