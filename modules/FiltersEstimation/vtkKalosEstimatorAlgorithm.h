@@ -178,15 +178,15 @@ public:
 
   ///@{
   /**
-   * Savings to do without, names separated by commas: stratified (walks stratified by Sobol' points), picked (shadow
+   * Techniques to do without, names separated by commas: stratified (walks stratified by Sobol' points), picked (shadow
    * rays only to vertices picked by their scores), convex (no shadow rays in an empty convex room), near (gather rays
    * only where a surface is near), paths (no vertices where luminous surfaces are all around and paths from the
    * receivers alone win a trial), neighbours (gather rays of `gathered` light all receivers of a group), effort
-   * (receivers rest that have enough for the goal), exact-direct (area emitters in closed form). None moves a mean; for
-   * those who measure what they save. Default empty.
+   * (receivers that reached the goal are skipped), exact-direct (area emitters in closed form). None adds bias; disable
+   * them to measure what they save. Default empty.
    */
-  vtkSetStringMacro(Without);
-  vtkGetStringMacro(Without);
+  vtkSetStringMacro(DisabledTechniques);
+  vtkGetStringMacro(DisabledTechniques);
   ///@}
 
   ///@{
@@ -234,7 +234,7 @@ protected:
   double CheckpointInterval = 10;
   bool IntermediateResults = false;
   bool KeepScene = false;
-  char* Without = nullptr;
+  char* DisabledTechniques = nullptr;
   vtkMultiProcessController* Controller = nullptr;
 
 private:

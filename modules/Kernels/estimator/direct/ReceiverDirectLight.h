@@ -10,7 +10,7 @@
 #include "estimator/direct/DirectLight.h"
 #include "estimator/direct/MirrorImages.h"
 #include "estimator/tally/Tally.h"
-#include "scene/Audit.h"
+#include "scene/SceneNeeds.h"
 
 namespace kalos
 {
@@ -23,7 +23,7 @@ public:
                       int trajectoriesPerSample = 4);
 
   const std::vector<Sensor>& sensors() const { return this->Sensors; }
-  bool shadows() const { return !this->Found.unoccluded; }
+  bool shadows() const { return !this->Needs.unoccluded; }
 
   /// False when the starts of trajectories on emitting meshes must score at this receiver: there are too many emitting
   /// triangles for closed forms, or the receiver is glossy.
@@ -43,7 +43,7 @@ public:
   bool hasAllImages() const { return !this->Mirrored.truncated(); }
 
   /// Whether there is no other light: nothing reflects, and all emission has a closed form.
-  bool complete() const { return !this->Found.reflects && this->ClosedForms; }
+  bool complete() const { return !this->Needs.reflects && this->ClosedForms; }
 
   /// Fills the fixed part of the tally: direct light in closed form. Returns false when aborted.
   bool prepare(Workers& workers, Tally& tally);
@@ -64,14 +64,12 @@ private:
   const DirectLight& direct() const { return this->ClosedForms ? this->Exact : this->Luminaires; }
   void measureVisibility(std::size_t receiver);
   bool isSteady(std::size_t receiver) const;
-  AuditLine auditOpenings() const;
-  AuditLine auditMirrors() const;
 
   const Scene& Scene_;
   int PerSample;
   Walks Drawn;
   bool Sampled;  // no closed forms of areas
-  Audit Found;
+  SceneNeeds Needs;
   bool ClosedForms, MeshesSeen = false;
   DirectLight Exact;       // luminaires, and meshes where closed forms serve
   DirectLight Luminaires;  // luminaires only
