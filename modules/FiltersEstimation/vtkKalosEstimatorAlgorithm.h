@@ -138,7 +138,7 @@ public:
    * is run again gives bitwise the numbers of one that was not. Written whole or not at all, every CheckpointInterval
    * and when the solve ends, also by AbortExecute; by the first process only. It stays when the solve is complete; a
    * later update with the same input then has its numbers at once. A file of another scene, set of receivers, version
-   * or setting (but for Threads and processes), or a damaged one, is an error and left as it is; one that can not be
+   * or setting (but for Threads and processes), or a damaged one, is an error and left as it is; one that cannot be
    * written for want of space is a warning. Takes the size of receivers x 32 replicates x (2 bands + 2) x 8 bytes, and
    * twice that in memory. Default: none.
    */

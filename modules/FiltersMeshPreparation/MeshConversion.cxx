@@ -141,10 +141,10 @@ std::vector<std::uint32_t> materialsOfCells(vtkPolyData* input)
 }
 }  // namespace
 
-ConvertedMesh convertMesh(vtkPolyData* input)
+namespace
 {
-  ConvertedMesh result;
-  TriangleMesh& mesh = result.mesh;
+void checkInput(vtkPolyData* input)
+{
   if (!input || !input->GetPoints() || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
     throw std::invalid_argument("the input has no polygons; expected a surface");
@@ -154,6 +154,26 @@ ConvertedMesh convertMesh(vtkPolyData* input)
     throw std::invalid_argument("the input has more than 4294967294 points; expected fewer");
   }
   vtkKalosArrayLengths::Require(input->GetCellData(), input->GetNumberOfCells(), "cells");
+}
+
+void checkCorners(vtkPolyData* input, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
+{
+  const bool allThere =
+      std::all_of(ids, ids + size, [&](vtkIdType id) { return id >= 0 && id < input->GetNumberOfPoints(); });
+  if (!allThere)
+  {
+    throw std::invalid_argument("cell " + std::to_string(cell) +
+                                " uses a point that is not there; expected points 0 to " +
+                                std::to_string(input->GetNumberOfPoints() - 1));
+  }
+}
+}  // namespace
+
+ConvertedMesh convertMesh(vtkPolyData* input)
+{
+  checkInput(input);
+  ConvertedMesh result;
+  TriangleMesh& mesh = result.mesh;
   mesh.points.resize(static_cast<std::size_t>(input->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
@@ -171,14 +191,7 @@ ConvertedMesh convertMesh(vtkPolyData* input)
     for (items->GoToFirstCell(); !items->IsDoneWithTraversal(); items->GoToNextCell(), ++cell)
     {
       items->GetCurrentCell(size, ids);
-      const bool allThere =
-          std::all_of(ids, ids + size, [&](vtkIdType id) { return id >= 0 && id < input->GetNumberOfPoints(); });
-      if (!allThere)
-      {
-        throw std::invalid_argument("cell " + std::to_string(cell) +
-                                    " uses a point that is not there; expected points 0 to " +
-                                    std::to_string(input->GetNumberOfPoints() - 1));
-      }
+      checkCorners(input, size, ids, cell);
       if (size < 3)
       {
         ++result.degenerate;

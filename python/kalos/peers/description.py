@@ -61,7 +61,7 @@ def column(data, name, count, width):
 
 
 def beyond(reader):
-    """What a scene has that Lambertian programs can not model, in a few words; None where there is nothing."""
+    """What a scene has that Lambertian programs cannot model, in a few words; None where there is nothing."""
     surfaces, lamps = reader.GetOutputDataObject(0), reader.GetOutputDataObject(1)
     for name, words in ((arrays.SPECULAR, "glossy surfaces"), (arrays.MIRROR, "mirrors")):
         if cell_bands(surfaces, name).any():
