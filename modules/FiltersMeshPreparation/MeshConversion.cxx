@@ -139,10 +139,7 @@ std::vector<std::uint32_t> materialsOfCells(vtkPolyData* input)
   }
   return material;
 }
-}  // namespace
 
-namespace
-{
 void checkInput(vtkPolyData* input)
 {
   if (!input || !input->GetPoints() || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
@@ -154,18 +151,6 @@ void checkInput(vtkPolyData* input)
     throw std::invalid_argument("the input has more than 4294967294 points; expected fewer");
   }
   vtkKalosArrayLengths::Require(input->GetCellData(), input->GetNumberOfCells(), "cells");
-}
-
-void checkCorners(vtkPolyData* input, vtkIdType size, const vtkIdType* ids, vtkIdType cell)
-{
-  const bool allThere =
-      std::all_of(ids, ids + size, [&](vtkIdType id) { return id >= 0 && id < input->GetNumberOfPoints(); });
-  if (!allThere)
-  {
-    throw std::invalid_argument("cell " + std::to_string(cell) +
-                                " uses a point that is not there; expected points 0 to " +
-                                std::to_string(input->GetNumberOfPoints() - 1));
-  }
 }
 }  // namespace
 
@@ -191,7 +176,14 @@ ConvertedMesh convertMesh(vtkPolyData* input)
     for (items->GoToFirstCell(); !items->IsDoneWithTraversal(); items->GoToNextCell(), ++cell)
     {
       items->GetCurrentCell(size, ids);
-      checkCorners(input, size, ids, cell);
+      const bool allThere =
+          std::all_of(ids, ids + size, [&](vtkIdType id) { return id >= 0 && id < input->GetNumberOfPoints(); });
+      if (!allThere)
+      {
+        throw std::invalid_argument("cell " + std::to_string(cell) +
+                                    " uses a point that is not there; expected points 0 to " +
+                                    std::to_string(input->GetNumberOfPoints() - 1));
+      }
       if (size < 3)
       {
         ++result.degenerate;

@@ -4,6 +4,7 @@
 #define kalos_tests_ManyLuminaires_h
 
 #include "Rooms.h"
+#include "sampling/Random.h"
 #include "sampling/Warp.h"
 
 namespace kalos
