@@ -83,6 +83,7 @@ kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings(const kalos::Ranks& ran
   settings.method = static_cast<kalos::Method>(this->Method);
   settings.trajectories = this->Trajectories;
   settings.relativeError = this->RelativeError;
+  settings.errorShare = this->ErrorShare;
   settings.errorFloor = this->ErrorFloor;
   settings.seconds = this->Seconds;
   settings.seed = static_cast<std::uint64_t>(this->Seed);
@@ -138,6 +139,7 @@ void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "Trajectories: " << this->Trajectories << "\n";
   os << indent << "RelativeError: " << this->RelativeError << "\n";
+  os << indent << "ErrorShare: " << this->ErrorShare << "\n";
   os << indent << "ErrorFloor: " << this->ErrorFloor << "\n";
   os << indent << "Seconds: " << this->Seconds << "\n";
   os << indent << "Seed: " << this->Seed << "\n";

@@ -4,8 +4,8 @@
  * @brief Settings that every estimating filter shares.
  *
  * The method, its effort and its goals. Without a goal the filter runs Trajectories. With a goal it stops as soon as
- * every value's 95 % half-width is within RelativeError of the value or below ErrorFloor, Seconds have passed, or
- * Trajectories are used up. The output gets the field data arrays Audit (what was modelled and why), Trajectories,
+ * the 95 % half-widths of ErrorShare of the values are within RelativeError or below ErrorFloor, Seconds have passed,
+ * or Trajectories are used up. The output gets the field data arrays Audit (what was modelled and why), Trajectories,
  * Rays, SolveSeconds, SolveCpuSeconds, Seed and KalosVersion. The filter reports progress and obeys AbortExecute: the
  * output then holds the rounds that were complete, if any, and the audit says so. The same seed gives bitwise the same
  * numbers for any number of threads.
@@ -78,6 +78,15 @@ public:
    */
   vtkSetMacro(RelativeError, double);
   vtkGetMacro(RelativeError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Share of the receivers that RelativeError is asked of, in (0,1]. Default 0.95: the few worst of many do not hold
+   * up the others. 1: all.
+   */
+  vtkSetMacro(ErrorShare, double);
+  vtkGetMacro(ErrorShare, double);
   ///@}
 
   ///@{
@@ -223,6 +232,7 @@ protected:
   int Method = COMPENSATED;
   vtkIdType Trajectories = 0;
   double RelativeError = 0;
+  double ErrorShare = 0.95;
   double ErrorFloor = -1;
   double Seconds = 0;
   vtkIdType Seed = 1;

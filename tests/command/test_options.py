@@ -16,6 +16,8 @@ BAD = [
     ("--epsilon", "wide", LENGTH), ("--epsilon", "-0.1", LENGTH), ("--epsilon", "0", LENGTH), ("--epsilon", "nan", LENGTH),
     ("--error", "0", "expected a relative error > 0 and < 1, such as 0.01"),
     ("--error", "1", "expected a relative error > 0 and < 1, such as 0.01"),
+    ("--share", "0", "expected a share of the receivers > 0 and at most 1, such as 0.99"),
+    ("--share", "1.01", "expected a share of the receivers > 0 and at most 1, such as 0.99"),
     ("--error-floor", "-1", "expected a half-width of 0 lx or more"),
     ("--range", "5", ENDS), ("--range", "5:5", ENDS), ("--luminance-range", "0:nan", ENDS),
     ("--disable", "picked,walls", f"expected some of {', '.join(TECHNIQUES)}"),

@@ -28,11 +28,20 @@ Tally alternating(double spread, double n = 1)
   return tally;
 }
 
+Receivers inARow(int count)
+{
+  Receivers receivers;
+  for (int i = 0; i < count; ++i)
+    receivers.points.push_back({0.1 * i, 0, 0});
+  receivers.normals.assign(receivers.points.size(), {0, 0, 1});
+  return receivers;
+}
+
 Result judged(const Settings& settings, const Tally& tally)
 {
   Result result;
   tally.write(1, result);
-  Goal(settings, replicates).judge(result);
+  Goal(settings, inARow(3), replicates).judge(tally, 1, result);
   return result;
 }
 
@@ -48,7 +57,8 @@ constexpr char missed = static_cast<char>(GoalStatus::Missed), within = static_c
                below = static_cast<char>(GoalStatus::BelowFloor);
 }  // namespace
 
-// The half-width of replicates that alternate by s is t(0.95, 15) s / sqrt(15) = 2.1314 s / 3.87298 = 0.55034 s.
+// The half-width of replicates that alternate by s is t(0.95, 15) s / sqrt(15) = 2.1314 s / 3.87298 = 0.55034 s: of 1
+// lx and of the floor of 0.5 lx, which the two neighbours pool.
 TEST(Goal, IsRelativeOrAbsolute)
 {
   Settings s;
@@ -57,9 +67,10 @@ TEST(Goal, IsRelativeOrAbsolute)
   const Result half = judged(s, alternating(0.9));
   EXPECT_EQ(half.goal, (std::vector<char>{within, below, below}));
   EXPECT_EQ(half.errorFloor, 0.5);
-  EXPECT_NEAR(Goal(s, replicates).distance(alternating(0.9), 1), 0.55034 * 0.9 / 0.5, 1e-4);
-  EXPECT_EQ(judged(s, alternating(1)).goal, (std::vector<char>{within, missed, below}));
-  EXPECT_EQ(judged(s, alternating(2)).goal, (std::vector<char>{missed, missed, below}));
+  EXPECT_NEAR(Goal(s, inARow(3), replicates).distance(alternating(0.9), 1), 0.55034 * 0.9 * std::sqrt((1 + 4) / 2.0),
+              1e-4);
+  EXPECT_EQ(judged(s, alternating(1.1)).goal, (std::vector<char>{within, below, below}));
+  EXPECT_EQ(judged(s, alternating(1.2)).goal, (std::vector<char>{missed, missed, below}));
 }
 
 TEST(Goal, FloorIsAutomatic)
@@ -96,24 +107,42 @@ TEST(Goal, EndsWhereHardlyAnyLightComes)
   EXPECT_NE(reasonOfError(result), "");
 }
 
-// Distances of 0.55034 * 0.9 / 1 and 0.55034 * 0.9 / 0.5, and nothing in the dark: the mean square of all three,
-// neighbours of each other, times the pilot's trajectories.
+// Of 200 receivers, three fluctuate by ten times what is allowed. They hold up a goal for all and for 99 %, which lets
+// two go, but not for 98.5 %; receivers that do not fluctuate count for no share.
+TEST(Goal, IsAskedOfAShareOfTheReceiversThatFluctuate)
+{
+  Tally tally(Scene(rooms::litRoom(0.5)), 260, replicates);
+  for (std::size_t r = 0; r < 200; ++r)
+    for (int p = 0; p < replicates; ++p)
+      *tally.total(r, p) = 100 + (p % 2 ? 1 : -1) * (r % 70 == 30 ? 10 : 0.5) / 0.55034;
+  Settings s;
+  s.relativeError = 0.01;
+  for (const auto& [share, distance] : {std::pair{1.0, 10.0}, {0.99, 10.0}, {0.985, 0.5}, {0.5, 0.5}})
+  {
+    s.errorShare = share;
+    EXPECT_NEAR(Goal(s, inARow(260), replicates).distance(tally, 1), distance, 1e-3) << share;
+  }
+}
+
+// Distances of 0.55034 * 0.9 / 1 and 0.55034 * 0.9 / 0.5, neighbours of each other, and nothing in the dark: the mean
+// square of the two, times the pilot's trajectories.
 TEST(AdaptiveSampling, NeedsAreTheSquaresOfDistancesAmongNeighbours)
 {
   Settings s;
   s.relativeError = 0.01;
   s.errorFloor = 0.5;
-  const Goal goal(s, replicates);
+  const Goal goal(s, inARow(3), replicates);
   const long long n = AdaptiveSampling::pilotTrajectories;
   const AdaptiveSampling plan(goal, alternating(0.9, n));
-  const double first = 0.55034 * 0.9, second = 2 * first, needed = n * (first * first + second * second) / 3;
-  for (const double each : plan.needed())
-    EXPECT_NEAR(each, needed, 1e-3 * needed);
-  // Enough by the plan, and by the interval: the second receiver is 0.99 of the way beyond.
+  const double first = 0.55034 * 0.9, second = 2 * first, needed = n * (first * first + second * second) / 2;
+  EXPECT_NEAR(plan.needed()[0], needed, 1e-3 * needed);
+  EXPECT_NEAR(plan.needed()[1], needed, 1e-3 * needed);
+  EXPECT_EQ(plan.needed()[2], 0);
+  // Enough by the plan, and by the intervals: pooled, they are 0.79 of what is allowed, then 1.05 times that.
   const auto enough = static_cast<long long>(needed) + 1;
   EXPECT_EQ(plan.converged(goal, alternating(0.9, enough), enough), (std::vector<char>{1, 1, 1}));
-  EXPECT_EQ(plan.converged(goal, alternating(1.1, enough), enough), (std::vector<char>{1, 0, 1}));
-  EXPECT_EQ(plan.converged(goal, alternating(0.9, enough - 2), enough - 2), (std::vector<char>{0, 0, 0}));
+  EXPECT_EQ(plan.converged(goal, alternating(1.2, enough), enough), (std::vector<char>{0, 0, 1}));
+  EXPECT_EQ(plan.converged(goal, alternating(0.9, enough - 2), enough - 2), (std::vector<char>{0, 0, 1}));
 }
 
 // Who converged keeps mean and error while the others' sums are divided by more and more trajectories.
@@ -150,6 +179,7 @@ TEST(AdaptiveSampling, SavesWorkAndMovesNoValue)
   {
     Settings s;
     s.method = method;
+    s.errorShare = 1;
     s.relativeError = 0.01;
     double plannedRays = 0, evenRays = 0;  // when the goal is reached is a matter of chance: three seeds of each
     for (std::uint64_t seed = 1; seed <= 6; seed += 2)
@@ -229,4 +259,33 @@ TEST(Goal, IntervalsCoverTheTruthWhenTheErrorStopsTheSolve)
   EXPECT_LT(std::abs(mean - 200), 4.4 * error);
   EXPECT_GE(covered, 0.90 * 4 * seeds);
   EXPECT_LE(covered, 0.98 * 4 * seeds);
+}
+
+// The same furnace to 4 % at 95 % of 64 receivers from 1 mm to 2.5 m of an edge: in 19 of 20 solves at least that share
+// is within 4 % of the truth, and that takes fewer trajectories than all of them need.
+TEST(Goal, KeepsItsPromiseForTheShareItIsAskedOf)
+{
+  const Scene scene(rooms::furnace(0.5, 100));
+  Receivers receivers;
+  for (int i = 0; i < 64; ++i)
+    receivers.points.push_back({0.001 * std::pow(2500, i / 63.0), 2.4, 0});
+  receivers.normals.assign(64, {0, 0, 1});
+  Settings s;
+  s.disabled.insert(Technique::Paths);  // in furnaces, too
+  s.relativeError = 0.04;
+  int kept = 0;
+  long long some = 0, all = 0;
+  for (int seed = 1; seed <= 20; ++seed)
+  {
+    s.seed = seed;
+    s.errorShare = 0.95;
+    const Result result = solve(scene, receivers, s);
+    kept += std::count_if(result.illuminance.begin(), result.illuminance.end(),
+                          [](double e) { return std::abs(e - 200) <= 0.04 * 200; }) >= 0.95 * 64;
+    some += result.trajectories;
+    s.errorShare = 1;
+    all += solve(scene, receivers, s).trajectories;
+  }
+  EXPECT_GE(kept, 19);
+  EXPECT_LT(some, all);
 }

@@ -100,35 +100,3 @@ TEST(ReceiverGroup, WhatCanNotBeSharedIsTheFinders)
   EXPECT_EQ(shares[1], 1);
   EXPECT_EQ(std::accumulate(shares, shares + capacity, 0.0f), 1);
 }
-
-// Sixteen that follow each other on a grid are a square of four; who looks the other way follows later.
-TEST(ReceiverGroup, OrderKeepsNeighboursTogether)
-{
-  const Scene scene(rooms::litRoom(0.5));
-  std::vector<Sensor> sensors;
-  for (int i = 0; i < 8; ++i)
-    for (int j = 0; j < 8; ++j)
-      for (const double up : {1.0, -1.0})
-        sensors.push_back(at(scene, {0.25 + 0.5 * i, 0.25 + 0.5 * j, 1}, {0, 0, up}));
-  const std::vector<std::size_t> order = orderOf(sensors);
-  ASSERT_EQ(order.size(), 128u);
-  for (std::size_t begin = 0; begin < order.size(); begin += 16)
-  {
-    Vec3 low{9, 9, 9}, high{-9, -9, -9};
-    for (std::size_t i = begin; i < begin + 16; ++i)
-    {
-      const Sensor& s = sensors[order[i]];
-      EXPECT_EQ(s.normal.z, begin < 64 ? 1 : -1);
-      low = {std::min(low.x, s.position.x), std::min(low.y, s.position.y), 1};
-      high = {std::max(high.x, s.position.x), std::max(high.y, s.position.y), 1};
-    }
-    EXPECT_EQ(high.x - low.x, 1.5);
-    EXPECT_EQ(high.y - low.y, 1.5);
-  }
-  std::vector<std::size_t> all = order;
-  std::sort(all.begin(), all.end());
-  for (std::size_t i = 0; i < all.size(); ++i)
-    EXPECT_EQ(all[i], i);
-  EXPECT_EQ(orderOf({sensors[0]}), std::vector<std::size_t>{0});
-  EXPECT_TRUE(orderOf({}).empty());
-}

@@ -3,8 +3,8 @@
 from kalos import ranks
 from kalos.commands.arguments import ends, receiver_and_replicate, task
 from kalos.commands.options import add_method_options, options_of
-from kalos.core.limits import FLOOR, RELATIVE, TIME, techniques
-from kalos.core.options import DEFAULT_METHOD, TECHNIQUES
+from kalos.core.limits import FLOOR, RELATIVE, SHARE, TIME, techniques
+from kalos.core.options import DEFAULT_METHOD, SHARE as ERROR_SHARE, TECHNIQUES
 from kalos.pictures.look import OWN_COLOURS, Look
 from kalos.scenes.model_file import AXES, UNITS, placed
 
@@ -59,7 +59,8 @@ def look_of(arguments):
 def add_goals(command):
     add = command.add_argument
     add("--error", metavar="E", type=RELATIVE,
-        help="stop when the 95 %% half-width of every value is within the fraction E of it, or below the floor (off)")
+        help="stop when the 95 %% half-widths of the values are within the fraction E of them, or below the floor (off)")
+    add("--share", metavar="S", type=SHARE, help=f"share of the receivers that --error is asked of ({ERROR_SHARE})")
     add("--error-floor", metavar="LX", type=FLOOR,
         help="half-width that is small enough for any value, lx (auto: E of a hundredth of the mean)")
     add("--time", metavar="SECONDS", type=TIME, help="stop each solve after so many seconds (off)")

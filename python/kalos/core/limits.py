@@ -25,6 +25,7 @@ def quantity(kind, expected, accept):
 COUNT = quantity(int, "a whole number from 1 to 9223372036854775807", lambda n: 1 <= n < 2**63)
 GIVEN_LENGTH = quantity(float, "auto, or a length > 0 in metres", lambda x: x > 0)
 RELATIVE = quantity(float, "a relative error > 0 and < 1, such as 0.01", lambda x: 0 < x < 1)
+SHARE = quantity(float, "a share of the receivers > 0 and at most 1, such as 0.99", lambda x: 0 < x <= 1)
 FLOOR = quantity(float, "a half-width of 0 lx or more", lambda x: x >= 0)
 TIME = quantity(float, "a time > 0, in seconds", lambda x: x > 0)
 SEED = quantity(int, "a whole number from 0 to 2147483647", lambda n: 0 <= n < 2**31)
@@ -51,8 +52,8 @@ def techniques(text):
     return names
 
 
-TYPES = {"method": method, "trajectories": COUNT, "error": RELATIVE, "error_floor": FLOOR, "time": TIME, "delta": GIVEN_LENGTH,
-         "epsilon": GIVEN_LENGTH, "seed": SEED, "threads": THREADS}
+TYPES = {"method": method, "trajectories": COUNT, "error": RELATIVE, "share": SHARE, "error_floor": FLOOR, "time": TIME,
+         "delta": GIVEN_LENGTH, "epsilon": GIVEN_LENGTH, "seed": SEED, "threads": THREADS}
 
 
 def checked_options(disable=(), checkpoint=None, **given):

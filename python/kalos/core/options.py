@@ -22,6 +22,10 @@ METHODS = {"compensated": 5, "gathered": 6, "local": 0, "sphere-published": 1, "
 TECHNIQUES = ("stratified", "picked", "convex", "near", "paths", "neighbours", "effort", "exact-direct")
 
 
+# Of the receivers, those that a goal for the error is asked of.
+SHARE = 0.95
+
+
 @dataclass(frozen=True)
 class Options:
     """What the command's options say; None means automatic or off."""
@@ -30,7 +34,8 @@ class Options:
     trajectories: int = None  # at most; automatic: 10 000, without limit when there is a goal
     delta: float = None  # m
     epsilon: float = None  # m
-    error: float = None  # goal: relative 95 % half-width at every receiver
+    error: float = None  # goal: relative 95 % half-width
+    share: float = None  # of the receivers that `error` is asked of; automatic: SHARE
     error_floor: float = None  # lx, half-width that is small enough for any value; automatic: for a hundredth of the mean
     time: float = None  # goal: s
     seed: int = 1
@@ -49,6 +54,7 @@ class Options:
         estimator.SetDelta(self.delta or 0)
         estimator.SetEpsilon(self.epsilon or 0)
         estimator.SetRelativeError(self.error or 0)
+        estimator.SetErrorShare(SHARE if self.share is None else self.share)
         estimator.SetErrorFloor(-1 if self.error_floor is None else self.error_floor)
         estimator.SetDisabledTechniques(",".join(self.disable))
         estimator.SetSeconds(self.time or 0)

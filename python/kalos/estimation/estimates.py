@@ -29,8 +29,8 @@ Progress = Union[None, bool, Callable[[float], None]]
 
 
 def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, normals: ArrayLike, *,
-                error: Optional[float] = None, error_floor: Optional[float] = None, time: Optional[float] = None,
-                trajectories: Optional[int] = None, method: str = DEFAULT_METHOD, delta: Optional[float] = None,
+                error: Optional[float] = None, share: Optional[float] = None, error_floor: Optional[float] = None,
+                time: Optional[float] = None, trajectories: Optional[int] = None, method: str = DEFAULT_METHOD, delta: Optional[float] = None,
                 epsilon: Optional[float] = None, seed: int = 1,
                 threads: int = 0, checkpoint: Union[None, str, os.PathLike] = None, progress: Progress = None) -> Illuminance:
     """Illuminance (lx) at points, with a standard error each.
@@ -39,8 +39,8 @@ def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, n
     vtkKalosSceneReader reads; luminaires may be None where surfaces emit.
     points: (n, 3), or (rows, columns, 3) for a grid, m. normals: of the same shape, or (3,) for all; unit vectors to the
     side that is lit. NumPy arrays are shared with VTK, not copied: C-contiguous, float64 or float32.
-    error: stop when every 95 % half-width is within this part of its value, such as 0.01, or below error_floor, lx; None is that
-    part of a hundredth of the mean. time: stop after so many seconds.
+    error: stop when 95 % half-widths are within this part of the values, such as 0.01, or below error_floor, lx (None: that
+    part of a hundredth of the mean), at `share` of the receivers (0.95). time: stop after so many seconds.
     trajectories: at most so many; without a goal 10 000. method: as `kalos solve --method`; the default, compensated (local
     estimation, Kalos 1963, with gathering near edges), is unbiased, also at edges. delta, epsilon: m, of the methods with a
     neighbourhood (Budak et al., GraphiCon 2023); None is automatic. seed: the same one gives the same numbers, bit by
@@ -63,8 +63,8 @@ def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, n
     >>> sorted(result.as_dict())[:3]
     ['direct_lx', 'illuminance_lx', 'nx']
     """
-    options = checked_options(method=method, trajectories=trajectories, error=error, error_floor=error_floor, time=time, delta=delta,
-                              epsilon=epsilon, seed=seed, threads=threads, checkpoint=checkpoint)
+    options = checked_options(method=method, trajectories=trajectories, error=error, share=share, error_floor=error_floor,
+                              time=time, delta=delta, epsilon=epsilon, seed=seed, threads=threads, checkpoint=checkpoint)
     points = non_empty("points", numbers("points", points, [("n", 3), ("rows", "columns", 3)]))
     normals = units("normals", normals, [points.shape, (3,)])
     if normals.ndim == 1:
@@ -90,8 +90,8 @@ def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, n
 
 def luminance(surfaces: Surfaces, luminaires: Luminaires, position: ArrayLike, target: ArrayLike, *,
               up: ArrayLike = (0, 0, 1), fov_deg: float = 45, resolution: Tuple[int, int] = (256, 256),
-              error: Optional[float] = None, error_floor: Optional[float] = None, time: Optional[float] = None,
-              trajectories: Optional[int] = None, method: str = DEFAULT_METHOD, delta: Optional[float] = None,
+              error: Optional[float] = None, share: Optional[float] = None, error_floor: Optional[float] = None,
+              time: Optional[float] = None, trajectories: Optional[int] = None, method: str = DEFAULT_METHOD, delta: Optional[float] = None,
               epsilon: Optional[float] = None, seed: int = 1,
               threads: int = 0, checkpoint: Union[None, str, os.PathLike] = None, progress: Progress = None) -> Luminance:
     """Luminance (cd/m2) seen by a camera, with a standard error per pixel, by the double local estimate.
@@ -104,8 +104,8 @@ def luminance(surfaces: Surfaces, luminaires: Luminaires, position: ArrayLike, t
     >>> picture.luminance.shape
     (12, 16)
     """
-    options = checked_options(method=method, trajectories=trajectories, error=error, error_floor=error_floor, time=time, delta=delta,
-                              epsilon=epsilon, seed=seed, threads=threads, checkpoint=checkpoint)
+    options = checked_options(method=method, trajectories=trajectories, error=error, share=share, error_floor=error_floor,
+                              time=time, delta=delta, epsilon=epsilon, seed=seed, threads=threads, checkpoint=checkpoint)
     filter_ = vtkKalosLuminanceImage()
     filter_.SetInputData(0, joined_surfaces(surfaces))
     filter_.SetInputData(1, joined_luminaires(luminaires))

@@ -29,7 +29,8 @@ struct Settings
 {
   Method method = Method::Compensated;
   long long trajectories = 0;  ///< upper limit over all replicates; 0: no limit with a goal below, else 10 000
-  double relativeError = 0;    ///< goal: 95 % half-width over value at every receiver; 0: no such goal
+  double relativeError = 0;    ///< goal: 95 % half-width over value; 0: no such goal
+  double errorShare = 0.95;    ///< share of the receivers that the goal holds for, (0, 1]
   double errorFloor =
       -1;              ///< lx, half-width that is small enough for any value; < 0: automatic, estimator/tally/Goal.h
   double seconds = 0;  ///< goal: stop after this time; 0: no such goal

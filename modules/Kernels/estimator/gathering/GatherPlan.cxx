@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/SpatialOrder.h"
+
 namespace kalos
 {
 namespace
@@ -27,6 +29,19 @@ bool isMostlyDiffuse(const Scene& scene)
   for (std::uint32_t t = 0; t < scene.data().triangles.size(); ++t)
     diffuse += scene.brdf(t).isLambertian() ? scene.area(t) : 0;
   return diffuse > 0.5 * scene.surfaceArea();
+}
+
+std::vector<std::size_t> orderOf(const std::vector<Sensor>& sensors)
+{
+  std::vector<Vec3> points, normals;
+  points.reserve(sensors.size());
+  normals.reserve(sensors.size());
+  for (const Sensor& sensor : sensors)
+  {
+    points.push_back(sensor.position);
+    normals.push_back(sensor.normal);
+  }
+  return spatialOrder(points, normals);
 }
 }  // namespace
 

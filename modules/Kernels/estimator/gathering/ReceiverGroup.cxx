@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/gathering/ReceiverGroup.h"
 
-#include <numeric>
-
 #include "scene/RayBatch.h"
 
 namespace kalos
@@ -55,48 +53,5 @@ void ReceiverGroup::share(const Sensor& y, int finder, bool near, const RayScene
   for (int i = 0; i < count; ++i)
     shares[lane[i]] = hidden >> i & 1 ? 0 : g[lane[i]] / sum;
   shares[finder] = g[finder] / sum;
-}
-
-namespace
-{
-// The bits of a number below 2^20 with two zeros before each.
-std::uint64_t spread(std::uint64_t x)
-{
-  x = (x | x << 32) & 0x001f00000000ffff;
-  x = (x | x << 16) & 0x001f0000ff0000ff;
-  x = (x | x << 8) & 0x100f00f00f00f00f;
-  x = (x | x << 4) & 0x10c30c30c30c30c3;
-  return (x | x << 2) & 0x1249249249249249;
-}
-
-std::uint64_t axisOf(const Vec3& n)
-{
-  const int axis = mainAxis(n);
-  return 2 * static_cast<std::uint64_t>(axis) + ((axis == 0 ? n.x : axis == 1 ? n.y : n.z) < 0 ? 1 : 0);
-}
-}  // namespace
-
-std::vector<std::size_t> orderOf(const std::vector<Sensor>& sensors)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity(), steps = (1 << 20) - 1;
-  Vec3 low{infinity, infinity, infinity}, high = -low;
-  for (const Sensor& s : sensors)
-  {
-    low = {std::min(low.x, s.position.x), std::min(low.y, s.position.y), std::min(low.z, s.position.z)};
-    high = {std::max(high.x, s.position.x), std::max(high.y, s.position.y), std::max(high.z, s.position.z)};
-  }
-  const double extent = maxAbs(high - low), scale = extent > 0 ? steps / extent : 0;
-  std::vector<std::uint64_t> key;
-  key.reserve(sensors.size());
-  for (const Sensor& s : sensors)
-  {
-    const Vec3 p = scale * (s.position - low);
-    auto along = [](double x) { return spread(static_cast<std::uint64_t>(x)); };
-    key.push_back(axisOf(s.normal) << 60 | along(p.x) | along(p.y) << 1 | along(p.z) << 2);
-  }
-  std::vector<std::size_t> order(sensors.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key[a] < key[b]; });
-  return order;
 }
 }  // namespace kalos

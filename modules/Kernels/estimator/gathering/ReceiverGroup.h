@@ -38,11 +38,6 @@ private:
   AnchorPacket At = {};                   // a normal of 0, which sees nothing, of none
   alignas(64) float Near[capacity] = {};  // m2, see squaredNearness()
 };
-
-/// The receivers in an order that keeps neighbours of similar orientation together: by the
-/// axis that the normal is nearest to, then along a curve that fills space (Morton 1966). On a grid of 64 x 64, sixteen
-/// are a square of four; in rows they took 1.6 times longer to the same error on a floor, as long on walls.
-std::vector<std::size_t> orderOf(const std::vector<Sensor>& sensors);
 }  // namespace kalos
 
 #endif

@@ -13,17 +13,8 @@ namespace kalos
 {
 AdaptiveSampling::AdaptiveSampling(const Goal& goal, const Tally& pilot)
 {
-  // The variance of eight replicates has a relative error of a half; with two neighbours on either side, of a quarter.
-  constexpr std::size_t around = 2;
-  const std::vector<double> distances = goal.distances(pilot, pilotTrajectories);
-  for (std::size_t r = 0; r < distances.size(); ++r)
-  {
-    const std::size_t first = r - std::min(r, around), last = std::min(distances.size() - 1, r + around);
-    double sum = 0;
-    for (std::size_t i = first; i <= last; ++i)
-      sum += distances[i] * distances[i];
-    this->Needed.push_back(pilotTrajectories * sum / static_cast<double>(last - first + 1));
-  }
+  for (const double distance : goal.distances(pilot, pilotTrajectories))
+    this->Needed.push_back(pilotTrajectories * distance * distance);
 }
 
 std::vector<char> AdaptiveSampling::converged(const Goal& goal, const Tally& tally, long long done) const

@@ -4,7 +4,7 @@
 // With a goal for the error, receivers that reached the goal are skipped and the others continue.
 //
 // A pilot, a short solve with its own random numbers, estimates how many trajectories each receiver needs. A receiver
-// has converged when it has had them and its own interval meets the goal. The pilot is independent of the estimate, so
+// has converged when it has had them and its interval meets the goal. The pilot is independent of the estimate, so
 // no receiver stops because its estimate is wrong by chance; the second condition only adds trajectories. On a floor
 // beside boxes the dimmest points need 30 times what the mean point needs.
 #ifndef kalos_estimator_solve_AdaptiveSampling_h
@@ -26,7 +26,7 @@ public:
   /// A plan by the pilot's tally.
   AdaptiveSampling(const Goal& goal, const Tally& pilot);
 
-  /// Trajectories of every replicate that a receiver needs, by the pilot; those of neighbours in order are averaged.
+  /// Trajectories of every replicate that a receiver needs, by the pilot.
   const std::vector<double>& needed() const { return this->Needed; }
 
   /// Which receivers have converged after `done` trajectories of every replicate: see Tally::setConverged().

@@ -107,6 +107,7 @@ Identity identify(const Scene& scene, const Receivers& receivers, const Settings
           {"method", std::to_string(static_cast<int>(s.method))},
           {"trajectories", std::to_string(s.trajectories)},
           {"error", digits(s.relativeError)},
+          {"error share", digits(s.errorShare)},
           {"error floor", digits(s.errorFloor)},
           {"time", digits(s.seconds)},
           {"seed", std::to_string(s.seed)},

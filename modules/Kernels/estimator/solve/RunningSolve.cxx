@@ -18,6 +18,7 @@ void check(const Receivers& receivers, const Settings& s)
   };
   require(s.trajectories >= 0, "trajectories: must be 0 (automatic) or more");
   require(s.relativeError >= 0 && s.relativeError < 1, "error: must lie in [0, 1)");
+  require(s.errorShare > 0 && s.errorShare <= 1, "share: must lie in (0, 1]");
   require(std::isfinite(s.errorFloor), "error_floor: must be a half-width in lux, or negative (automatic)");
   require(s.seconds >= 0 && std::isfinite(s.seconds), "time: must be 0 (no limit) or more seconds");
   require(s.threads >= 0, "threads: must be 0 (all) or more");
@@ -59,7 +60,7 @@ RunningSolve::RunningSolve(const Scene& inScene, const Receivers& atReceivers, c
       estimator(makeChecked(inScene, atReceivers, withSettings, this->ranks)),
       workers(withSettings.threads, progress, this->ranks),
       tally(inScene, atReceivers.points.size(), replicatesOf(*this->estimator, withSettings)),
-      schedule(withSettings, this->tally, this->estimator->pace(), shown)
+      schedule(withSettings, this->receivers, this->tally, this->estimator->pace(), shown)
 {
 }
 

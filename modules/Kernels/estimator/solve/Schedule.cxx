@@ -10,13 +10,14 @@ constexpr int firstRound = 64;           // with a goal: enough for a first stan
 constexpr double largestWork = 1 << 25;  // scores of trajectories: a stop loses the round that it interrupts
 }  // namespace
 
-Schedule::Schedule(const Settings& settings, const Tally& tally, const Pace& pace, bool shown)
+Schedule::Schedule(const Settings& settings, const Receivers& receivers, const Tally& tally, const Pace& pace,
+                   bool shown)
     : Settings_(settings),
       Shown(shown),
       Replicates(tally.replicates()),
       Limit((limitFor(settings) + tally.replicates() - 1) / tally.replicates()),
       Paced(pace),
-      Wished(settings, tally.replicates())
+      Wished(settings, receivers, tally.replicates())
 {
 }
 

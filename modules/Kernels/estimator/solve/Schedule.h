@@ -13,7 +13,7 @@ class Schedule
 {
 public:
   /// With `shown`, rounds begin with one trajectory of every replicate and grow by half of what is done.
-  Schedule(const Settings& settings, const Tally& tally, const Pace& pace, bool shown);
+  Schedule(const Settings& settings, const Receivers& receivers, const Tally& tally, const Pace& pace, bool shown);
 
   /// Trajectories of a solve without limit.
   static constexpr long long unlimited = std::numeric_limits<long long>::max() / 64;

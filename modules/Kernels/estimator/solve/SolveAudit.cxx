@@ -30,19 +30,19 @@ std::vector<AuditLine> auditMaterials(const Scene& scene)
           reflection};
 }
 
-AuditLine auditGoal(const Settings& settings, const Result& result)
+AuditLine auditGoal(const Settings& settings, const Result& result, bool reached)
 {
   const auto count = [&](GoalStatus status) {
     return std::count(result.goal.begin(), result.goal.end(), static_cast<char>(status));
   };
-  const auto missed = count(GoalStatus::Missed);
-  std::ostringstream choice;
+  std::ostringstream choice, reason;
+  reason << "95 % half-widths, pooled over neighbours; asked of " << 100 * settings.errorShare << " % of the values";
   choice << 100 * settings.relativeError << " % at " << count(GoalStatus::WithinError) << ", below "
-         << result.errorFloor << " lx at " << count(GoalStatus::BelowFloor) << ", missed at " << missed << " of "
-         << result.goal.size() << " receivers";
+         << result.errorFloor << " lx at " << count(GoalStatus::BelowFloor) << ", missed at "
+         << count(GoalStatus::Missed) << " of " << result.goal.size() << " receivers";
   const bool usedUp = settings.trajectories > 0 && result.trajectories >= settings.trajectories;
   return {"error", choice.str(),
-          missed == 0      ? "95 % half-widths, relative to the values or absolute"
+          reached          ? reason.str()
           : result.aborted ? "stopped from outside before"
           : usedUp         ? "all trajectories allowed were used before"
                            : "the time was up before"};

@@ -14,8 +14,8 @@ namespace kalos
 /// Bands, and how the materials reflect.
 std::vector<AuditLine> auditMaterials(const Scene& scene);
 
-/// How many receivers have met the goal for the error.
-AuditLine auditGoal(const Settings& settings, const Result& result);
+/// How many receivers have met the goal for the error; `reached`: as many as it is asked of.
+AuditLine auditGoal(const Settings& settings, const Result& result, bool reached);
 
 AuditLine auditRanks(int processes, int replicates);
 AuditLine auditStop(const Result& result);

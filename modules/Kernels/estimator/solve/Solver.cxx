@@ -182,7 +182,7 @@ void Solve::conclude()
     result.trusted.push_back(tailIsLight(result.largestScoreShare[r], tally.largestStandsOut(r),
                                          {result.illuminance[r], result.standardError[r]}) &&
                              run.estimator->trusts(r, tally.trajectories(r, run.done) * tally.replicates()));
-  run.schedule.goal().judge(result);
+  run.schedule.goal().judge(tally, run.done, result);
 }
 
 void Solve::finish()
@@ -198,7 +198,7 @@ void Solve::finish()
   for (const std::vector<AuditLine>& lines : {run.estimator->audit(), run.tally.auditEnergy()})
     result.audit.insert(result.audit.end(), lines.begin(), lines.end());
   if (!result.goal.empty())
-    result.audit.push_back(auditGoal(run.settings, result));
+    result.audit.push_back(auditGoal(run.settings, result, run.schedule.goal().distance(run.tally, run.done) <= 1));
   if (this->Plan)
     result.audit.push_back(auditEffort(run.tally, run.done));
   if (run.ranks.size() > 1)

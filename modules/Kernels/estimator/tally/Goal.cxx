@@ -8,8 +8,12 @@
 
 namespace kalos
 {
-Goal::Goal(const Settings& settings, int replicates)
-    : RelativeError(settings.relativeError), Floor(settings.errorFloor), Quantile(studentQuantile(0.95, replicates - 1))
+Goal::Goal(const Settings& settings, const Receivers& receivers, int replicates)
+    : RelativeError(settings.relativeError),
+      Share(settings.errorShare),
+      Floor(settings.errorFloor),
+      Quantile(studentQuantile(0.95, replicates - 1)),
+      Pooled(receivers)
 {
 }
 
@@ -29,22 +33,33 @@ std::vector<double> Goal::distances(const Tally& tally, long long n) const
     sum += found.back().mean;
   }
   const double floor = this->floorFor(sum / static_cast<double>(std::max<std::size_t>(1, found.size())));
-  std::vector<double> distances;
-  distances.reserve(found.size());
-  for (const MeanAndError& m : found)
-    distances.push_back(m.standardError > 0
-                            ? this->Quantile * m.standardError / std::max(floor, this->RelativeError * std::abs(m.mean))
-                            : 0);
+  // Neighbours may have had other numbers of trajectories: what they share is the variance of one.
+  std::vector<double> squares;
+  squares.reserve(found.size());
+  for (std::size_t r = 0; r < found.size(); ++r)
+  {
+    const double allowed = std::max(floor, this->RelativeError * std::abs(found[r].mean));
+    const double own = found[r].standardError > 0 ? this->Quantile * found[r].standardError / allowed : 0;
+    squares.push_back(own * own * static_cast<double>(tally.trajectories(r, n)));
+  }
+  std::vector<double> distances = this->Pooled.pool(squares);
+  for (std::size_t r = 0; r < found.size(); ++r)
+    distances[r] = std::sqrt(distances[r] / static_cast<double>(tally.trajectories(r, n)));
   return distances;
 }
 
 double Goal::distance(const Tally& tally, long long n) const
 {
-  const std::vector<double> all = this->distances(tally, n);
-  return all.empty() ? 0 : *std::max_element(all.begin(), all.end());
+  std::vector<double> all = this->distances(tally, n);
+  all.erase(std::remove(all.begin(), all.end(), 0.0), all.end());
+  if (all.empty())
+    return 0;
+  const auto beyond = static_cast<std::ptrdiff_t>((1 - this->Share) * static_cast<double>(all.size()));
+  std::nth_element(all.begin(), all.end() - 1 - beyond, all.end());
+  return *(all.end() - 1 - beyond);
 }
 
-void Goal::judge(Result& result) const
+void Goal::judge(const Tally& tally, long long n, Result& result) const
 {
   result.goal.clear();
   if (!this->wanted())
@@ -52,9 +67,10 @@ void Goal::judge(Result& result) const
   const std::vector<double>& values = result.illuminance;
   result.errorFloor = this->floorFor(std::accumulate(values.begin(), values.end(), 0.0) /
                                      static_cast<double>(std::max<std::size_t>(1, values.size())));
+  const std::vector<double> distances = this->distances(tally, n);
   for (std::size_t r = 0; r < values.size(); ++r)
   {
-    const double halfWidth = this->Quantile * result.standardError[r];
+    const double halfWidth = distances[r] * std::max(result.errorFloor, this->RelativeError * std::abs(values[r]));
     const bool within = values[r] != 0 && halfWidth <= this->RelativeError * std::abs(values[r]);
     const GoalStatus status = within                           ? GoalStatus::WithinError
                               : halfWidth <= result.errorFloor ? GoalStatus::BelowFloor
