@@ -81,7 +81,7 @@ TEST(PhotonTree, FindsTheDensityOfAGrid)
 
 // In a furnace E = M/(1 - rho) everywhere: a disc in the open has it, half of one its half, a quarter its quarter. The
 // indirect light is 150 lx; within 5 standard errors of 7 degrees of freedom, 4 values: false alarm 6e-3, of a fixed
-// seed; the errors are below 4 %.
+// seed; the errors are below 5 %.
 TEST(PhotonMap, LosesTheHalfDiscAtAnEdge)
 {
   SceneDescription cube;
@@ -89,14 +89,14 @@ TEST(PhotonMap, LosesTheHalfDiscAtAnEdge)
   const Receivers r = at({{0.5, 0.5, 0}, {1e-5, 0.5, 0}, {1e-5, 1e-5, 0}, {0.5, 0.4, 0.5}});
   for (const bool cone : {false, true})
   {
-    Settings s = settings(320000, 0.1);
+    Settings s = settings(640000, 0.1);
     s.own.coneFilter = cone;
     const Result result = solve(Scene(cube), r, s);
     const double expected[] = {150, 75, 37.5, 150};
     for (std::size_t i = 0; i < 4; ++i)
     {
       EXPECT_LT(std::abs(indirect(result, i) - expected[i]), 5 * result.standardError[i]) << i;
-      EXPECT_LT(result.standardError[i], 0.04 * expected[i]) << i;
+      EXPECT_LT(result.standardError[i], 0.05 * expected[i]) << i;
       EXPECT_EQ(result.trusted[i] != 0, i == 0 || i == 3) << i;
     }
     EXPECT_NE(line(result, "bias").find("up to -75 % at one receiver"), std::string::npos) << line(result, "bias");
