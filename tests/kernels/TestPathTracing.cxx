@@ -25,7 +25,8 @@ Result solved(const SceneDescription& room, Method method, std::uint64_t seed, l
   s.method = method;
   s.seed = seed;
   s.trajectories = trajectories;
-  s.sampleDirect = sampleDirect;
+  if (sampleDirect)
+    s.disabled.insert(Technique::ExactDirect);
   return solve(Scene(room), inTheRoom(), s);
 }
 

@@ -43,7 +43,6 @@ struct Settings
   bool keepReplicates = false;  ///< fill Result::replicateIlluminance
   double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; 0: automatic
 
-
   MethodOptions own;  ///< of single methods
 
   const Ranks* ranks = nullptr;  ///< processes that share the solve; null: only this one
