@@ -141,5 +141,6 @@ INSTANTIATE_TEST_SUITE_P(Poses, EachMethod,
                                          Case{"clamped", Method::Clamped, 32768, 32768, 0.002},
                                          Case{"compensated", Method::Compensated, 16384, 16384, 0.002},
                                          Case{"gathered", Method::Gathered, 16384, 16384, 0.002},
-                                         Case{"direct", Method::Direct, 160000, 160000, 0.02}),
+                                         Case{"direct", Method::Direct, 160000, 160000, 0.02},
+                                         Case{"paths", Method::Paths, 16384, 16384, 0.002}),
                          [](const auto& instance) { return std::string(instance.param.name); });
