@@ -16,10 +16,12 @@
 #include "scene/SceneLuminaires.h"
 #include "scene/SceneMaterials.h"
 #include "scene/SceneReceivers.h"
+#include "scene/SceneSky.h"
 #include "scene/SceneSurfaces.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkKalosArrayNames.h"
@@ -109,7 +111,8 @@ void tellDarkness(const Scene& scene, Notes& notes)
     }
     return false;
   };
-  if (!shines(flux) && !shines(exitance))
+  const bool sky = scene.luminaires->GetFieldData()->HasArray(vtkKalosArrayNames::Sky);
+  if (!shines(flux) && !shines(exitance) && !sky)
   {
     notes.push_back({"light", "none", "no luminaire has a flux and no surface an exitance: every value is 0"});
   }
@@ -119,7 +122,8 @@ Scene readScene(const std::string& path, double unit, const std::string& up)
 {
   const nlohmann::json json = readJson(path, unit, up);
   const JsonCursor root(json, "scene");
-  root.checkKeys({"kalos", "materials", "surfaces", "luminaires", "receivers", "cameras", "$schema"});
+  root.checkKeys({"kalos", "materials", "surfaces", "luminaires", "receivers", "cameras", "sky", "north_deg", "ground",
+                  "$schema"});
   root.at("kalos").integer(1, 1);
 
   const std::string folder = std::filesystem::path(path).parent_path().string();
@@ -136,11 +140,12 @@ Scene readScene(const std::string& path, double unit, const std::string& up)
   }
   scene.luminaires =
       readLuminaires(root, folder, surfaces.lights, litBall(scene.surfaces, scene.receivers), surfaces.approximations);
+  scene.luminaires = addSky(root, folder, scene.luminaires, surfaces.approximations);
   addLightNotes(surfaces.lights, surfaces.approximations);
   tellDarkness(scene, surfaces.approximations);
   putNotes(surfaces.approximations, scene.surfaces);
 
-  if (surfaces.all.empty() && scene.luminaires->GetNumberOfPoints() == 0)
+  if (surfaces.all.empty() && scene.luminaires->GetNumberOfPoints() == 0 && !root.has("sky"))
   {
     root.fail("empty: no surfaces and no luminaires; expected at least one of them");
   }

@@ -23,19 +23,19 @@ def solve(scene: SceneLike, out: Union[str, os.PathLike[str]], *, method: str = 
           error: Optional[float] = None, error_floor: Optional[float] = None, time: Optional[float] = None,
           delta: Optional[float] = None, epsilon: Optional[float] = None, seed: int = 1, threads: int = 0,
           disable: Sequence[str] = (), prepare: bool = True, report: bool = False, hdr: bool = False, all_points: bool = False,
-          look: Look = LOOK, say: Say = silent) -> Dict[str, Any]:
+          daylight_factor: bool = False, look: Look = LOOK, say: Say = silent) -> Dict[str, Any]:
     """Solves a scene into the folder `out`, as `kalos solve` does; returns what stands in its summary.json.
 
     scene: a kalos.Scene, or the path of a scene file or model. delta, epsilon: m; error_floor: lx; time: s. prepare: repair the
     surfaces first. report: write report.html. hdr: write Radiance pictures. all_points: count receivers inside solids in the
-    statistics. look: range, kind of scale and colours of the pictures. say: gets the lines that the command prints. `kalos solve --help` tells more of each. Raises KalosError.
+    statistics. daylight_factor: daylight factors under a sky. look: range, kind of scale and colours of the pictures. say: gets the lines that the command prints. `kalos solve --help` tells more of each. Raises KalosError.
     """
     from kalos.solving.solve import solve as run
 
     options = checked_options(method=method, trajectories=trajectories, error=error, error_floor=error_floor, time=time, delta=delta,
                               epsilon=epsilon, seed=seed, threads=threads, disable=disable)
     with scene_file(scene) as path:
-        return run(path, out, options, say, prepare, report, hdr, all_points, look)
+        return run(path, out, options, say, prepare, report, hdr, all_points, look, daylight=daylight_factor)
 
 
 def study(scene: SceneLike, out: Union[str, os.PathLike[str]], sweep: Mapping[str, Sequence[Any]], *, method: str = DEFAULT_METHOD,

@@ -11,6 +11,7 @@
 #include "luminaire/Luminaire.h"
 #include "material/Brdf.h"
 #include "scene/RayScene.h"
+#include "sky/Sky.h"
 
 namespace kalos
 {
@@ -23,6 +24,7 @@ struct SceneDescription
   std::vector<std::uint32_t> triangleMaterial;  ///< index into materials, one per triangle
   std::vector<Material> materials;
   std::vector<Luminaire> luminaires;
+  std::shared_ptr<const Sky> sky;              ///< what rays that leave the scene meet; null: darkness
   std::vector<std::uint32_t> triangleSurface;  ///< index into surfaceNames, one per triangle; or empty
   std::vector<std::string> surfaceNames;       ///< for messages; or empty: materials stand for surfaces
 };

@@ -23,6 +23,7 @@ enum class Method
 };
 
 class Ranks;
+class SkyOpenings;
 class CheckpointStore;
 
 struct Settings
@@ -41,6 +42,8 @@ struct Settings
   double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; 0: automatic
 
   const Ranks* ranks = nullptr;  ///< processes that share the solve; null: only this one
+
+  const SkyOpenings* openings = nullptr;  ///< where the sky shines in; null: the solve looks for them
 
   CheckpointStore* checkpoint = nullptr;  ///< where the solve is saved and resumed; null: nowhere
 

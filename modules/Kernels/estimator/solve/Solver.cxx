@@ -44,6 +44,7 @@ public:
         Saved(settings.checkpoint, this->Run.ranks)
   {
     this->Found.alteredKernel = this->Run.estimator->altersKernel();
+    this->Found.skyIlluminance = scene.data().sky ? scene.data().sky->horizontalIlluminance() : 0;
   }
 
   Result run();
@@ -195,7 +196,8 @@ void Solve::finish()
   result.cpuSeconds = run.ranks.sum(result.cpuSeconds);
   result.rays = static_cast<decltype(result.rays)>(run.ranks.sum(static_cast<double>(result.rays)));
   result.audit = auditMaterials(run.scene);
-  for (const std::vector<AuditLine>& lines : {run.estimator->audit(), run.tally.auditEnergy()})
+  for (const std::vector<AuditLine>& lines :
+       {auditDaylight(run.scene, run.openings), run.estimator->audit(), run.tally.auditEnergy()})
     result.audit.insert(result.audit.end(), lines.begin(), lines.end());
   if (!result.goal.empty())
     result.audit.push_back(auditGoal(run.settings, result));
