@@ -65,11 +65,24 @@ def test_a_closed_room_is_told_to_be_dark(outdoors, command, tmp_path):
     assert float(rows(tmp_path / "out" / "high.csv")[0]["illuminance_lx"]) == 0
 
 
+def through_a_hole(scene):
+    """A room without its ceiling, and a plane low in it."""
+    for name, origin, u, v in (("south", [0, 0, 0], [2, 0, 0], [0, 0, 3]), ("north", [0, 2, 0], [2, 0, 0], [0, 0, 3]),
+                               ("west", [0, 0, 0], [0, 2, 0], [0, 0, 3]), ("east", [2, 0, 0], [0, 2, 0], [0, 0, 3])):
+        scene["surfaces"].append({"name": name, "quad": {"origin": origin, "u": u, "v": v}, "material": "grey"})
+    scene["receivers"][0]["plane"] = {**PLANE, "origin": [0, 0, 0.5]}
+    return scene
+
+
 def test_the_audit_names_sky_and_openings(outdoors, command, tmp_path):
     audit = {line["subject"]: line for line in solved(command, outdoors, tmp_path / "out")["audit"]}
     assert audit["sky"]["choice"] == "10000 lx on the horizontal"
     assert "955 cd/m2" in audit["sky"]["reason"]
-    assert "lets in" in audit["openings"]["reason"]
+    assert audit["openings"]["choice"] == "none needed"
+    summary = solved(command, through_a_hole(outdoors), tmp_path / "inside")
+    audit = {line["subject"]: line for line in summary["audit"]}
+    assert audit["openings"]["choice"].startswith("1, ")
+    assert "lets in 100 %" in audit["openings"]["reason"]
 
 
 @pytest.mark.parametrize("change, message", [
