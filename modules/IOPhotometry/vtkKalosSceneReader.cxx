@@ -111,8 +111,7 @@ void tellDarkness(const Scene& scene, Notes& notes)
     }
     return false;
   };
-  const bool sky = scene.luminaires->GetFieldData()->HasArray(vtkKalosArrayNames::Sky);
-  if (!shines(flux) && !shines(exitance) && !sky)
+  if (!shines(flux) && !shines(exitance) && !scene.luminaires->GetFieldData()->HasArray(vtkKalosArrayNames::Sky))
   {
     notes.push_back({"light", "none", "no luminaire has a flux and no surface an exitance: every value is 0"});
   }

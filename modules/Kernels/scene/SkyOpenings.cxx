@@ -165,54 +165,55 @@ void SkyOpenings::place(const Scene& scene, const std::vector<RayAnchor>& receiv
   const double gap = outside * scene.size();
   Box inner{{{infinite, -infinite}, {infinite, -infinite}, {infinite, -infinite}}};
   std::vector<double> places[3];
+  const auto include = [this](Box& box, const Vec3& point) {
+    const Vec3 p = this->local(point);
+    const std::array<double, 3> c{p.x, p.y, p.z};
+    for (std::size_t k = 0; k < 3; ++k)
+      box[k] = {std::min(box[k][0], c[k]), std::max(box[k][1], c[k])};
+    return c;
+  };
   for (const RayAnchor& r : receivers)
-  {
-    const Vec3 p = this->local(r.point);
-    const double c[3] = {p.x, p.y, p.z};
-    for (int k = 0; k < 3; ++k)
-      inner[k] = {std::min(inner[k][0], c[k]), std::max(inner[k][1], c[k])};
-  }
+    include(inner, r.point);
   this->Bounds = inner;
   for (const Triangle& t : scene.data().triangles)
     for (const std::uint32_t corner : t)
     {
-      const Vec3 p = this->local(scene.data().points[corner]);
-      const double c[3] = {p.x, p.y, p.z};
-      for (int k = 0; k < 3; ++k)
-      {
-        this->Bounds[k] = {std::min(this->Bounds[k][0], c[k]), std::max(this->Bounds[k][1], c[k])};
+      const std::array<double, 3> c = include(this->Bounds, scene.data().points[corner]);
+      for (std::size_t k = 0; k < 3; ++k)
         places[k].push_back(c[k]);
-      }
     }
-  for (int k = 0; k < 3; ++k)
+  for (std::size_t k = 0; k < 3; ++k)
   {
     std::sort(places[k].begin(), places[k].end());
     places[k].erase(std::unique(places[k].begin(), places[k].end(), [gap](double a, double b) { return b - a < gap; }),
                     places[k].end());
-    this->Bounds[k][0] -= gap;
-    this->Bounds[k][1] += gap;
+    this->Bounds[k] = {this->Bounds[k][0] - gap, this->Bounds[k][1] + gap};
   }
-  const std::size_t step = std::max<std::size_t>(1, rays.size() / compared);
-  double least = this->cost(this->Bounds, rays, step);
   for (int face = 0; face < 6; ++face)
+    this->placeFace(face, inner, places[face / 2], gap, rays);
+}
+
+void SkyOpenings::placeFace(int face, const Box& inner, const std::vector<double>& places, double gap,
+                            const std::vector<Ray>& rays)
+{
+  const std::size_t step = std::max<std::size_t>(1, rays.size() / compared);
+  const int k = face / 2, high = face % 2;
+  std::vector<double> tried;
+  for (const double c : places)
+    if (high ? c >= inner[k][1] - gap : c <= inner[k][0] + gap)
+      tried.push_back(c);
+  double least = this->cost(this->Bounds, rays, step);
+  const double stride = std::max(1.0, static_cast<double>(tried.size()) / mostPlaces);
+  for (double i = 0; i < static_cast<double>(tried.size()); i += stride)
   {
-    const int k = face / 2, high = face % 2;
-    std::vector<double> tried;
-    for (const double c : places[k])
-      if (high ? c >= inner[k][1] - gap : c <= inner[k][0] + gap)
-        tried.push_back(c);
-    const double stride = std::max(1.0, static_cast<double>(tried.size()) / mostPlaces);
-    for (double i = 0; i < static_cast<double>(tried.size()); i += stride)
+    Box box = this->Bounds;
+    const double c = tried[static_cast<std::size_t>(i)];
+    box[k][high] = high ? std::max(c, inner[k][1]) + gap : std::min(c, inner[k][0]) - gap;
+    const double found = this->cost(box, rays, step);
+    if (found < 0.98 * least)
     {
-      Box box = this->Bounds;
-      const double c = tried[static_cast<std::size_t>(i)];
-      box[k][high] = high ? std::max(c, inner[k][1]) + gap : std::min(c, inner[k][0]) - gap;
-      const double found = this->cost(box, rays, step);
-      if (found < 0.98 * least)
-      {
-        least = found;
-        this->Bounds = box;
-      }
+      least = found;
+      this->Bounds = box;
     }
   }
 }

@@ -66,6 +66,8 @@ private:
   void orient(const Scene& scene);
   std::vector<Ray> escapes(const Scene& scene, const std::vector<RayAnchor>& receivers, const Walks& walks);
   void place(const Scene& scene, const std::vector<RayAnchor>& receivers, const std::vector<Ray>& rays);
+  void placeFace(int face, const Box& inner, const std::vector<double>& places, double gap,
+                 const std::vector<Ray>& rays);
   double cost(const Box& box, const std::vector<Ray>& rays, std::size_t step) const;
   bool exitOf(const Box& box, const Vec3& p, const Vec3& d, Face& found) const;  // both in the box's axes
   Vec3 local(const Vec3& v) const { return {dot(v, this->Axes[0]), dot(v, this->Axes[1]), dot(v, this->Axes[2])}; }
