@@ -42,6 +42,10 @@ constexpr const char* CandelaPoles = "CandelaPoles";
 /// Field data, strings, 3 components: code, file, message of every warning about a photometric file.
 constexpr const char* PhotometryWarnings = "PhotometryWarnings";
 
+// Sky, field data of luminaires; vtkKalosSkySource::Components says what it holds.
+constexpr const char* Sky = "Sky";        ///< one tuple: model, illuminances, sun, ground, north
+constexpr const char* SkyMap = "SkyMap";  ///< cd/m², a tuple per row from the zenith down, a component per column
+
 // Photometric solids and polar curves, point data.
 constexpr const char* Intensity = "Intensity";  ///< cd
 
@@ -49,6 +53,8 @@ constexpr const char* Intensity = "Intensity";  ///< cd
 constexpr const char* Illuminance = "Illuminance";                            ///< lx
 constexpr const char* IlluminanceStandardError = "IlluminanceStandardError";  ///< lx
 constexpr const char* DirectIlluminance = "DirectIlluminance";                ///< lx, straight from the emitters
+constexpr const char* DaylightFactor = "DaylightFactor";  ///< %, illuminance over the sky's on the horizontal
+constexpr const char* DaylightFactorStandardError = "DaylightFactorStandardError";  ///< %
 constexpr const char* KernelCorrection = "KernelCorrection";    ///< lx, altered less plain kernel, same trajectories
 constexpr const char* LargestScoreShare = "LargestScoreShare";  ///< largest single score over the sum, [0, 1]
 constexpr const char* IntervalTrusted = "IntervalTrusted";      ///< 1 where the standard error can be believed, else 0
@@ -78,6 +84,9 @@ constexpr const char* EdgeAngle = "EdgeAngle";        ///< degrees, of that edge
 constexpr const char* Luminance = "Luminance";                            ///< cd/m²
 constexpr const char* LuminanceStandardError = "LuminanceStandardError";  ///< cd/m²
 constexpr const char* LuminanceBands = "LuminanceBands";                  ///< cd/m², n components, when n > 1
+
+/// Field data of results under a sky: its illuminance on the horizontal without the sun, lx.
+constexpr const char* SkyHorizontalIlluminance = "SkyHorizontalIlluminance";
 
 // Field data of every result.
 constexpr const char* Audit = "Audit";                      ///< strings, 3 components: subject, choice, reason

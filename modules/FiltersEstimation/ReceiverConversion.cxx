@@ -100,6 +100,13 @@ void AddFlags(vtkDataSetAttributes* data, const char* name, const std::vector<ch
   std::copy_n(flags.begin() + static_cast<std::ptrdiff_t>(first), count, array->GetPointer(0));
   data->AddArray(array);
 }
+
+std::vector<double> Scaled(std::vector<double> values, double factor)
+{
+  for (double& value : values)
+    value *= factor;
+  return values;
+}
 }  // namespace
 
 std::vector<vtkDataSet*> LeavesOf(vtkDataObject* object)
@@ -163,6 +170,12 @@ std::size_t AttachResults(const kalos::Result& result, const std::vector<char>& 
     AddFlags(data, Names::GoalStatus, result.goal, first, count);
   if (result.alteredKernel)
     AddColumn(data, Names::KernelCorrection, result.kernelCorrection, first, count);
+  if (result.skyIlluminance > 0)
+  {
+    AddColumn(data, Names::DaylightFactor, Scaled(result.illuminance, 100 / result.skyIlluminance), first, count);
+    AddColumn(data, Names::DaylightFactorStandardError, Scaled(result.standardError, 100 / result.skyIlluminance),
+              first, count);
+  }
   if (result.bands > 1)
     AddColumn(data, Names::IlluminanceBands, result.illuminanceBands, first, count, result.bands);
   data->SetActiveScalars(Names::Illuminance);

@@ -10,6 +10,7 @@
 #include "ConcavePolygons.h"
 #include "ConversionErrors.h"
 #include "LuminaireConversion.h"
+#include "SkyConversion.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -178,7 +179,8 @@ kalos::SceneDescription MakeSceneDescription(vtkPolyData* surfaces, vtkPolyData*
   AddSurfaces(surfaces, scene);
   if (luminaires)
     AddLuminaires(luminaires, scene);
-  if (scene.triangles.empty() && scene.luminaires.empty())
+  scene.sky = MakeSky(luminaires);
+  if (scene.triangles.empty() && scene.luminaires.empty() && !scene.sky)
     throw std::invalid_argument("surfaces: no triangles and no luminaires, there is nothing to estimate");
   return scene;
 }

@@ -133,6 +133,8 @@ void vtkKalosEstimatorAlgorithm::Describe(const kalos::Result& result, vtkFieldD
   AddValue<vtkDoubleArray>(fieldData, vtkKalosArrayNames::SolveSeconds, result.seconds);
   AddValue<vtkDoubleArray>(fieldData, vtkKalosArrayNames::SolveCpuSeconds, result.cpuSeconds);
   AddValue<vtkIdTypeArray>(fieldData, vtkKalosArrayNames::Seed, this->Seed);
+  if (result.skyIlluminance > 0)
+    AddValue<vtkDoubleArray>(fieldData, vtkKalosArrayNames::SkyHorizontalIlluminance, result.skyIlluminance);
   AddValue<vtkStringArray>(fieldData, vtkKalosArrayNames::KalosVersion, kalos::version());
 }
 

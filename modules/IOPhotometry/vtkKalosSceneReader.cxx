@@ -16,10 +16,12 @@
 #include "scene/SceneLuminaires.h"
 #include "scene/SceneMaterials.h"
 #include "scene/SceneReceivers.h"
+#include "scene/SceneSky.h"
 #include "scene/SceneSurfaces.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkKalosArrayNames.h"
@@ -100,16 +102,14 @@ void tellDarkness(const Scene& scene, Notes& notes)
   vtkDataArray* flux = scene.luminaires->GetPointData()->GetArray(vtkKalosArrayNames::LuminousFlux);
   vtkDataArray* exitance = scene.surfaces->GetCellData()->GetArray(vtkKalosArrayNames::Exitance);
   const auto shines = [](vtkDataArray* array) {
+    double most = 0.0;
     for (int c = 0; array && array->GetNumberOfTuples() > 0 && c < array->GetNumberOfComponents(); ++c)
     {
-      if (array->GetRange(c)[1] > 0.0)
-      {
-        return true;
-      }
+      most = std::max(most, array->GetRange(c)[1]);
     }
-    return false;
+    return most > 0.0;
   };
-  if (!shines(flux) && !shines(exitance))
+  if (!shines(flux) && !shines(exitance) && !scene.luminaires->GetFieldData()->HasArray(vtkKalosArrayNames::Sky))
   {
     notes.push_back(
         {"warning", "nothing emits light", "no luminaire has a flux and no surface an exitance: every value is 0"});
@@ -120,9 +120,9 @@ Scene readScene(const std::string& path, double unit, const std::string& up)
 {
   const nlohmann::json json = readJson(path, unit, up);
   const JsonCursor root(json, "scene");
-  root.checkKeys({"kalos", "materials", "surfaces", "luminaires", "receivers", "cameras", "$schema"});
+  root.checkKeys({"kalos", "materials", "surfaces", "luminaires", "receivers", "cameras", "sky", "north_deg", "ground",
+                  "$schema"});
   root.at("kalos").integer(1, 1);
-
   const std::string folder = std::filesystem::path(path).parent_path().string();
   SceneSurfaces surfaces = readSurfaces(root, readMaterials(root), folder);
   std::set<std::string> names;
@@ -135,13 +135,14 @@ Scene readScene(const std::string& path, double unit, const std::string& up)
   {
     addUsualReceivers(surfaces, names, scene.receivers);
   }
-  scene.luminaires =
+  const auto lamps =
       readLuminaires(root, folder, surfaces.lights, litBall(scene.surfaces, scene.receivers), surfaces.approximations);
+  scene.luminaires = addSky(root, folder, lamps, surfaces.approximations);
   addLightNotes(surfaces.lights, surfaces.approximations);
   tellDarkness(scene, surfaces.approximations);
   putNotes(surfaces.approximations, scene.surfaces);
 
-  if (surfaces.all.empty() && scene.luminaires->GetNumberOfPoints() == 0)
+  if (surfaces.all.empty() && lamps->GetNumberOfPoints() == 0 && !root.has("sky"))
   {
     root.fail("empty: no surfaces and no luminaires; expected at least one of them");
   }

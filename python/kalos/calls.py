@@ -24,13 +24,13 @@ def solve(scene: SceneLike, out: Union[str, os.PathLike[str]], *, method: str = 
           time: Optional[float] = None, delta: Optional[float] = None, epsilon: Optional[float] = None,
           method_options: Optional[Mapping[str, Any]] = None, seed: int = 1, threads: int = 0,
           disable: Sequence[str] = (), prepare: bool = True, report: bool = False, hdr: bool = False, all_points: bool = False,
-          look: Look = LOOK, say: Say = silent) -> Dict[str, Any]:
+          daylight_factor: bool = False, look: Look = LOOK, say: Say = silent) -> Dict[str, Any]:
     """Solves a scene into the folder `out`, as `kalos solve` does; returns what stands in its summary.json.
 
     scene: a kalos.Scene, or the path of a scene file or model. share: of the receivers that error is asked of (0.95).
     error_floor: lx. delta, epsilon: m. method_options: those of single methods, such as {"photons": 50} for photon-map. time: s.
     prepare: repair the surfaces first. report: write report.html. hdr: write Radiance pictures. all_points: count receivers inside solids in the
-    statistics. look: range, kind of scale and colours of the pictures. say: gets the lines that the command prints. `kalos solve --help` tells more of each. Raises KalosError.
+    statistics. daylight_factor: daylight factors under a sky. look: range, kind of scale and colours of the pictures. say: gets the lines that the command prints. `kalos solve --help` tells more of each. Raises KalosError.
     """
     from kalos.solving.solve import solve as run
 
@@ -38,7 +38,7 @@ def solve(scene: SceneLike, out: Union[str, os.PathLike[str]], *, method: str = 
                               time=time, delta=delta, epsilon=epsilon, method_options=method_options,
                               seed=seed, threads=threads, disable=disable)
     with scene_file(scene) as path:
-        return run(path, out, options, say, prepare, report, hdr, all_points, look)
+        return run(path, out, options, say, prepare, report, hdr, all_points, look, daylight=daylight_factor)
 
 
 def study(scene: SceneLike, out: Union[str, os.PathLike[str]], sweep: Mapping[str, Sequence[Any]], *, method: str = DEFAULT_METHOD,

@@ -16,10 +16,10 @@ THIRD_PARTY = re.compile(r"^(embree\d*|CGAL|OpenMesh|OpenEXR|Imath|tbb|oneapi|nl
 
 # Rooms of a module, lowest first. A file includes from its own room and from lower ones.
 ROOMS = {
-    "modules/Kernels": ["geometry", "photometry", "sampling", "statistics", "material", "luminaire", "scene", "estimator"],
+    "modules/Kernels": ["geometry", "photometry", "sampling", "statistics", "material", "luminaire", "sky", "scene", "estimator"],
     "modules/Kernels/estimator": ["control", "tracing", "kernel", "tally", "direct", "gathering", "methods", "solve",
                                   "quantities"],
-    "modules/IOPhotometry": ["base", "material", "mesh", "gltf", "model", "scene"],
+    "modules/IOPhotometry": ["base", "material", "mesh", "gltf", "model", "image", "scene"],
 }
 
 

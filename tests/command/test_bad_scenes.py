@@ -11,7 +11,8 @@ SIZES = "two whole numbers of at least 1, with a product of at most 100000000"
 BAD = [
     ("kalos", 2, "kalos: found 2; expected a whole number from 1 to 1"),
     ("kalos", ..., 'scene: the key "kalos" is missing'),
-    ("extra", 1, 'scene: unknown key "extra"; expected kalos, materials, surfaces, luminaires, receivers, cameras, $schema'),
+    ("extra", 1, 'scene: unknown key "extra"; expected kalos, materials, surfaces, luminaires, receivers, cameras, sky, '
+     'north_deg, ground, $schema'),
     ("materials.grey.colour", 1, 'materials.grey: unknown key "colour"; expected reflectance, specular, roughness, mirror, '
                                  "exitance"),
     ("materials.grey.reflectance", 1, f"materials.grey.reflectance: found 1; expected {REFLECTANCE}"),

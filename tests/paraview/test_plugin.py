@@ -19,7 +19,7 @@ XMLS = os.path.join(SOURCE, "apps", "paraview", "xmls")
 pv.LoadPlugin(PLUGIN, remote=False, ns=pv.__dict__)
 
 # Stem of each XML and the group of its proxy.
-STEMS = {"CalculationPlane": "sources", "LuminaireSource": "sources", "SceneReader": "sources", "EXRReader": "sources",
+STEMS = {"CalculationPlane": "sources", "LuminaireSource": "sources", "SkySource": "sources", "SceneReader": "sources", "EXRReader": "sources",
          "PhotometryReader": "sources", "MeshReader": "sources",
          "EXRWriter": "writers", "HDRWriter": "writers", "GlareRating": "filters", "FalseColor": "filters", "Illuminance": "filters", "LuminanceImage": "filters",
          "SurfaceRepair": "filters", "SurfaceRemesh": "filters", "SingularEdges": "filters"}

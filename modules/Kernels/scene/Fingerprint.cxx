@@ -58,6 +58,20 @@ void addLuminaire(Fingerprint& sum, const Luminaire& l)
     sum.add(values->data(), values->size() * sizeof(double));
   sum.add(static_cast<std::uint64_t>(l.table->pole()));
 }
+
+// By its values in many directions, whatever it is made from.
+void addSky(Fingerprint& sum, const Sky& sky)
+{
+  constexpr int rows = 24, columns = 48;
+  for (int i = 0; i < rows * columns; ++i)
+  {
+    const double z = 1 - 2 * (i / columns + 0.5) / rows, turn = 2 * pi * (i % columns) / columns;
+    const double s = std::sqrt(1 - z * z);
+    sum.add(sky.luminance({s * std::cos(turn), s * std::sin(turn), z}));
+  }
+  sum.add(sky.sun());
+  sum.add(sky.sunIlluminance());
+}
 }  // namespace
 
 void Fingerprint::add(const SceneDescription& scene)
@@ -71,5 +85,7 @@ void Fingerprint::add(const SceneDescription& scene)
     addMaterial(*this, m, scene.bands);
   for (const Luminaire& l : scene.luminaires)
     addLuminaire(*this, l);
+  if (scene.sky)
+    addSky(*this, *scene.sky);
 }
 }  // namespace kalos

@@ -12,6 +12,7 @@
 #include "material/Brdf.h"
 #include "scene/CoplanarFaces.h"
 #include "scene/RayScene.h"
+#include "sky/Sky.h"
 
 namespace kalos
 {
@@ -24,6 +25,7 @@ struct SceneDescription
   std::vector<std::uint32_t> triangleMaterial;  ///< index into materials, one per triangle
   std::vector<Material> materials;
   std::vector<Luminaire> luminaires;
+  std::shared_ptr<const Sky> sky;              ///< what rays that leave the scene meet; null: darkness
   std::vector<std::uint32_t> triangleSurface;  ///< index into surfaceNames, one per triangle; or empty
   std::vector<std::string> surfaceNames;       ///< for messages; or empty: materials stand for surfaces
   std::vector<std::string> luminaireNames;     ///< for messages; or empty: numbers stand for them

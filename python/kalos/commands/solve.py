@@ -39,6 +39,8 @@ def add(commands):
                          help="required mean illuminance and uniformity of a receiver set, as of a task of EN 12464-1: pass or fail in the "
                               "table, summary.json and report.html; may be repeated")
     command.add_argument("--hdr", action="store_true", help="write NAME.hdr per camera as well, a Radiance picture")
+    command.add_argument("--daylight-factor", action="store_true",
+                         help="daylight factors, 100 E / E_h: a column daylight_factor_percent and the figures of EN 17037; needs a sky")
     command.set_defaults(run=run)
 
 
@@ -78,5 +80,5 @@ def run(arguments):
     else:
         solve(arguments.scene, arguments.out, options_of(arguments), say=print, preparing=arguments.prepare,
               report=arguments.report, hdr=arguments.hdr, everywhere=arguments.all_points, look=look_of(arguments),
-              tasks=arguments.require, author=arguments.author)
+              tasks=arguments.require, author=arguments.author, daylight=arguments.daylight_factor)
     return 0

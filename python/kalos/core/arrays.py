@@ -41,6 +41,12 @@ LUMINANCE = "Luminance"
 LUMINANCE_STANDARD_ERROR = "LuminanceStandardError"
 LUMINANCE_BANDS = "LuminanceBands"
 
+SKY = "Sky"
+SKY_MAP = "SkyMap"
+SKY_HORIZONTAL_ILLUMINANCE = "SkyHorizontalIlluminance"
+DAYLIGHT_FACTOR = "DaylightFactor"
+DAYLIGHT_FACTOR_STANDARD_ERROR = "DaylightFactorStandardError"
+
 PHOTOMETRY_WARNINGS = "PhotometryWarnings"
 INTENSITY = "Intensity"
 

@@ -30,6 +30,7 @@ class Receivers:
     valid: np.ndarray  # bool: False inside a solid, below a surface or outside; statistics leave these out
     weights: np.ndarray  # areas of the cells, m2, or ones: what a mean over the set weighs by
     replicates: Optional[np.ndarray] = None  # (n, replicates) lx: independent estimates, of which illuminance is the mean
+    daylight_factor: Optional[np.ndarray] = None  # %, only under a sky
     goal: np.ndarray = None  # what results.statistics.goal() counts; only where a goal for the error was set
 
     def statistics(self, everywhere=False):
@@ -65,8 +66,9 @@ def from_dataset(name, dataset):
         replicates = vtk_to_numpy(replicates).reshape(len(points), -1)
         data.RemoveArray(arrays.ILLUMINANCE_REPLICATES)
     goal = vtk_to_numpy(data.GetArray(arrays.GOAL_STATUS)) if data.HasArray(arrays.GOAL_STATUS) else None
+    daylight = vtk_to_numpy(data.GetArray(arrays.DAYLIGHT_FACTOR)) if data.HasArray(arrays.DAYLIGHT_FACTOR) else None
     return Receivers(name, dataset, points, vtk_to_numpy(data.GetNormals()).astype(float), *read, trusted, valid, weights, replicates,
-                     goal)
+                     daylight, goal)
 
 
 def point_receivers(points, normals):

@@ -18,8 +18,9 @@ from kalos.core.output import write_vtp
 from kalos.errors import InputError, KalosError
 from kalos.scenes.checks import numbers, units
 
+OUTDOORS = ("sky", "north_deg", "ground")
 SECTIONS = ("surfaces", "luminaires", "receivers", "cameras")
-REFERENCES = ("file", "points")  # keys whose text is a path
+REFERENCES = ("file", "points", "map")  # keys whose text is a path
 
 PathLike = Union[str, "os.PathLike[str]"]
 
@@ -27,7 +28,8 @@ PathLike = Union[str, "os.PathLike[str]"]
 class Scene:
     """What a scene file says, in its words: `kalos schema` prints them all. Lengths are metres, flux is in lumens.
 
-    materials: a dict by name; surfaces, luminaires, receivers, cameras: lists of dicts with a "name" each. All may be changed
+    materials: a dict by name; surfaces, luminaires, receivers, cameras: lists of dicts with a "name" each; sky, ground: dicts, and
+    north_deg. All may be changed
     at will; scene["lamp"] is the entry of that name. What is wrong shows when the scene is solved. Paths of files are kept
     absolute, and written relative to the scene file where they are below it.
 
@@ -46,6 +48,9 @@ class Scene:
         self.luminaires: List[Dict[str, Any]] = []
         self.receivers: List[Dict[str, Any]] = []
         self.cameras: List[Dict[str, Any]] = []
+        self.sky: Dict[str, Any] = {}
+        self.north_deg = 0.0
+        self.ground: Dict[str, Any] = {}
         self._meshes: Dict[str, vtkPolyData] = {}
         self._points: Dict[str, Tuple[np.ndarray, np.ndarray]] = {}
 
@@ -61,8 +66,8 @@ class Scene:
             raise KalosError(f"{path}: file: {error}, expected JSON") from None
         if not isinstance(document, dict) or document.get("kalos") != 1:
             raise KalosError(f"{path}: kalos: not 1, expected a scene file with the key \"kalos\": 1")
-        for section in ("materials", *SECTIONS):
-            setattr(scene, section, document.get(section, {} if section == "materials" else []))
+        for section in ("materials", *SECTIONS, *OUTDOORS):
+            setattr(scene, section, document.get(section, copy.deepcopy(getattr(scene, section))))
         scene.name = path.stem
         for key, entry in scene._references():
             entry[key] = str((path.resolve().parent / entry[key]).absolute())
@@ -121,6 +126,13 @@ class Scene:
         """A camera, m; fov_deg is its vertical field of view."""
         self.add("cameras", name, position=position, target=target, up=up, fov_deg=fov_deg, resolution=resolution)
 
+    def set_sky(self, *, north_deg: float = 0.0, ground_reflectance: Optional[float] = None, **sky: Any) -> None:
+        """The sky: cie, or perez, or map, with horizontal_illuminance or zenith_luminance and the sun, as in a scene file."""
+        self.sky, self.north_deg = plain(sky), north_deg
+        if isinstance(self.sky.get("map"), (str, os.PathLike)):
+            self.sky["map"] = os.path.abspath(self.sky["map"])
+        self.ground = {} if ground_reflectance is None else {"reflectance": ground_reflectance}
+
     def write(self, path: PathLike) -> None:
         """Writes the scene file; meshes and points that came as arrays beside it, as NAME.vtp and NAME.csv."""
         path, document = Path(path), self._document()
@@ -134,17 +146,18 @@ class Scene:
         path.write_text(json.dumps(document, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
 
     def _document(self) -> Dict[str, Any]:
-        found = {"kalos": 1, "materials": self.materials, **{section: getattr(self, section) for section in SECTIONS}}
+        found = {"kalos": 1, "materials": self.materials, **{section: getattr(self, section) for section in (*SECTIONS, *OUTDOORS)}}
         return copy.deepcopy({key: value for key, value in found.items() if value})
 
     def _references(self) -> Iterator[Tuple[str, Dict[str, Any]]]:
-        return references({section: getattr(self, section) for section in SECTIONS})
+        return references({section: getattr(self, section) for section in (*SECTIONS, "sky")})
 
 
 def references(document: Dict[str, Any]) -> Iterator[Tuple[str, Dict[str, Any]]]:
     """Keys whose value is a path, with the entry that has them."""
-    for section in SECTIONS:
-        for entry in document.get(section, ()):
+    for section in (*SECTIONS, "sky"):
+        entries = document.get(section, ())
+        for entry in [entries] if isinstance(entries, dict) else entries:
             if isinstance(entry, dict):
                 yield from ((key, entry) for key in REFERENCES if isinstance(entry.get(key), str))
 

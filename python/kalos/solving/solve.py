@@ -18,6 +18,7 @@ from kalos.pictures.look import LOOK
 from kalos.preparation.scene import UNPREPARED, prepare_scene
 from kalos.results import fields, text
 from kalos.results.receivers import from_dataset
+from kalos.results.daylight import daylight_figures
 from kalos.results.statistics import goal, image_statistics
 from kalos.results.tables import write_csv
 from kalos.results.tasks import check_names, judged
@@ -30,26 +31,30 @@ from kalos.vtk import vtkKalosEXRWriter
 
 def solve(scene, out, options=Options(), say=lambda line: None, preparing=True, report=False, hdr=False,
           everywhere=False, look=LOOK,
-          tasks=(), author=None):
+          tasks=(), author=None, daylight=False):
     """Solves the scene file, or the model (.glb, .gltf, .obj), into the folder `out` and returns what stands in summary.json.
 
     Every receiver set gives NAME.csv, NAME.vtp and NAME.png, every camera NAME.exr and NAME.png. `say` gets the audit,
     the result table and the paths of the pictures. With `preparing` the surfaces are repaired first, and the audit says
     where they meet at singular edges. `hdr` adds NAME.hdr per camera, a Radiance picture. `report` adds report.html, and NAME-isolux.vtp
     for flat receiver sets. `everywhere` lets statistics count receivers inside solids, below surfaces and outside, which are left out
-    otherwise. `look` is that of the pictures. `tasks` are requirements, a
+    otherwise. `daylight` adds daylight factors. `look` is that of the pictures. `tasks` are requirements, a
     kalos.results.tasks.Task each. Raises KalosError; the folder then holds nothing new.
     """
     started = time.perf_counter()
     look.check()
     reader, prepared = set_up(scene, preparing)
     check_names(tasks, receiver_names(reader))
+    if daylight:
+        check_sky(reader, scene)
     setup = time.perf_counter() - started
     with staged(out) as folder:
         with named_options():
             receivers, images, outputs = estimate(reader, options, prepared)
         observers, glare = rate_glare(reader, receivers, prepared)
         result = summarise(scene, options, receivers, images, outputs, everywhere)
+        if daylight:
+            add_daylight(result, receivers, everywhere)
         result["observers"] = observers
         result["tasks"] = judged(tasks, result["receivers"])
         result["audit"] = fields.audit(reader.GetSurfaces(), arrays.SCENE_NOTES) + prepared.audit + result["audit"] + glare
@@ -59,7 +64,7 @@ def solve(scene, out, options=Options(), say=lambda line: None, preparing=True, 
             print(f"kalos: warning: {one['file']}: {one['message']}", file=sys.stderr)
         say("audit")
         say(text.audit_text(result["audit"]))
-        write(folder, receivers, images, result, look)
+        write(folder, receivers, images, result, look, daylight)
         if hdr:
             write_hdr(folder, reader, images)
         if report:
@@ -130,6 +135,21 @@ def check_light(reader, scene):
                          "file around it with luminaires")
 
 
+def check_sky(reader, scene):
+    """Daylight factors need a sky that shines."""
+    sky = reader.GetLuminaires().GetFieldData().GetArray(arrays.SKY)
+    if not sky or sky.GetComponent(0, 1) == 0:
+        raise KalosError(f"{scene}: sky: there is none, or it is dark; expected one that shines for daylight factors")
+
+
+def add_daylight(result, receivers, everywhere):
+    """The figures of daylight factors of each receiver set."""
+    for one in receivers:
+        if one.daylight_factor is not None:
+            chosen = one.valid | everywhere
+            result["receivers"][one.name]["daylight"] = daylight_figures(one.daylight_factor[chosen], one.weights[chosen])
+
+
 def estimate(reader, options, prepared):
     """Runs the estimator over all receiver sets at once, then once per camera.
 
@@ -169,11 +189,11 @@ def warnings(reader, scene, audit):
     return {"count": len(found), "codes": dict(Counter(one["code"] for one in found)), "list": found}
 
 
-def write(folder, receivers, images, result, look):
+def write(folder, receivers, images, result, look, daylight=False):
     """Tables, data sets, pictures and the summary."""
     write_json(folder / "summary.json", result)
     for one in receivers:
-        write_csv(folder / f"{one.name}.csv", one)
+        write_csv(folder / f"{one.name}.csv", one, daylight)
         write_vtp(folder / f"{one.name}.vtp", one.dataset)
         drawing.draw_receivers(folder / f"{one.name}.png", one, look)
     for name, image in images.items():

@@ -34,6 +34,7 @@ struct Result
   long long rays = 0;  ///< traced by the solve; includes those of concurrent solves of the process
   int replicates = 0;
   bool aborted = false;
+  double skyIlluminance = 0;   ///< lx, of the sky without the sun on the horizontal; 0 without a sky
   bool alteredKernel = false;  ///< the method alters the kernel and fills kernelCorrection
   double seconds = 0, cpuSeconds = 0;
   std::vector<AuditLine> audit;

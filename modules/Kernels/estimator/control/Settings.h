@@ -26,6 +26,7 @@ enum class Method
 };
 
 class Ranks;
+class SkyOpenings;
 class CheckpointStore;
 
 struct Settings
@@ -47,6 +48,8 @@ struct Settings
   MethodOptions own;  ///< of single methods
 
   const Ranks* ranks = nullptr;  ///< processes that share the solve; null: only this one
+
+  const SkyOpenings* openings = nullptr;  ///< where the sky shines in; null: the solve looks for them
 
   CheckpointStore* checkpoint = nullptr;  ///< where the solve is saved and resumed; null: nowhere
 

@@ -5,8 +5,12 @@
 
 namespace kalos
 {
-DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows)
-    : Scene_(scene), Shadows(shadows), AreaOf(scene.data().luminaires.size(), noArea), Choice(scene)
+DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows, const SkyOpenings* openings)
+    : Scene_(scene),
+      Shadows(shadows),
+      AreaOf(scene.data().luminaires.size(), noArea),
+      Choice(scene),
+      FromSky(scene, openings)
 {
   for (std::size_t i = 0; i < scene.data().luminaires.size(); ++i)
   {
@@ -140,8 +144,8 @@ void DirectLight::weigh(const Sensor& sensor, LuminaireWeights& weights) const
   weights.sum();
 }
 
-bool DirectLight::aim(const Sensor& sensor, SampleStream& random, AreaSample& sample, Bands& arriving,
-                      Bands& lobe) const
+bool DirectLight::aimAtLuminaire(const Sensor& sensor, SampleStream& random, AreaSample& sample, Bands& arriving,
+                                 Bands& lobe) const
 {
   const auto& luminaires = this->Scene_.data().luminaires;
   if (luminaires.empty())
@@ -263,6 +267,9 @@ void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const L
 void DirectLight::addSeen(const Vec3& origin, const Vec3& direction, const SurfacePoint& y, const Bands& throughput,
                           double* sum) const
 {
+  if (!y.valid && this->FromSky.any())
+    for (int b = 0; b < this->Scene_.bands(); ++b)
+      sum[b] += throughput[b] * pi * this->FromSky.sky().luminanceWithSun(direction);
   const double end = y.valid ? length(y.position - origin) : std::numeric_limits<double>::infinity();
   for (const LuminousArea& area : this->Areas)
   {

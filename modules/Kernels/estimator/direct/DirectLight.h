@@ -7,6 +7,7 @@
 
 #include "estimator/direct/LightSampler.h"
 #include "estimator/direct/LuminousArea.h"
+#include "estimator/direct/SkyLight.h"
 #include "sampling/SampleStream.h"
 
 namespace kalos
@@ -24,8 +25,8 @@ class DirectLight
 {
 public:
   /// `withMeshes` false leaves emitting triangles to the vertices of the trajectories (when there are very many).
-  /// `shadows` false: nothing can occlude.
-  DirectLight(const Scene& scene, bool withMeshes, bool shadows);
+  /// `shadows` false: nothing can occlude. `openings`: where the sky shines in, or null.
+  DirectLight(const Scene& scene, bool withMeshes, bool shadows, const SkyOpenings* openings = nullptr);
 
   /// The emitters as seen from one receiver; reused for all its samples.
   struct View
@@ -44,7 +45,7 @@ public:
   /// drawn about in proportion to its unshadowed light at a Lambertian sensor (LightSampler).
   /// At a glossy sensor a direction drawn from its lobe is combined with the areas by MIS (balance heuristic), for
   /// lobes narrower than a lamp. Unbiased; for the vertices that gather rays find and for glossy sensors. Of luminaires
-  /// only, without meshes.
+  /// and the sky, without meshes.
   Bands sample(const Sensor& sensor, SampleStream& random) const;
 
   /// The contribution of sample() if nothing hides its target; false when it is 0 in any case.
@@ -61,7 +62,7 @@ public:
   void sample(const Sensor* sensors, int count, SampleStream& random, Bands* light) const;
 
   /// Adds throughput times the exitance of every luminous rectangle that a ray from a mirror passes through before it
-  /// ends at y.
+  /// ends at y, and pi times the luminance of the sky where it leaves the scene.
   void addSeen(const Vec3& origin, const Vec3& direction, const SurfacePoint& y, const Bands& throughput,
                double* sum) const;
 
@@ -77,6 +78,10 @@ private:
 
   // The contribution of sample() if nothing hides it; false when it is 0. A lobe's sample goes to `lobe`.
   bool aim(const Sensor& sensor, SampleStream& random, AreaSample& sample, Bands& arriving, Bands& lobe) const;
+  bool aimAtLuminaire(const Sensor& sensor, SampleStream& random, AreaSample& sample, Bands& arriving,
+                      Bands& lobe) const;
+  bool aimAtSky(const Sensor& sensor, SampleStream& random, AreaSample& sample, Bands& arriving, Bands& lobe) const;
+  void sampleSkyByLobe(const Sensor& sensor, SampleStream& random, const SkyLight::Mixture& mixture, Bands& sum) const;
   void sampleLobe(const Sensor& sensor, SampleStream& random, const LuminaireWeights& weights, Bands& sum) const;
 
   static constexpr std::size_t noArea = ~std::size_t{0};
@@ -87,6 +92,7 @@ private:
   std::vector<LuminousArea> Areas;
   std::vector<std::size_t> LuminaireOf, AreaOf;  // of an area that belongs to no mesh; of a luminaire, or noArea
   LightSampler Choice;
+  SkyLight FromSky;
 };
 }  // namespace kalos
 

@@ -11,6 +11,7 @@ namespace
 {
 constexpr int pilotSamples = 16;                // of area emitters, to estimate their visible fraction
 constexpr std::size_t steadyAround = 2;         // receivers before and after that must see the same
+constexpr int mostPerSkySample = 8;             // trajectories per sample of the sky, which holds more than visibility
 constexpr int steadySaving = 8;                 // times fewer samples where the pilot found no partial shadow
 constexpr std::size_t largestViews = 1u << 24;  // unshadowed illuminances kept, receivers times emitters: 128 MB
 constexpr std::uint32_t largestExact = 4096;    // emitting triangles served by closed forms
@@ -27,7 +28,7 @@ std::vector<Vec3> inScene(const Scene& scene, const std::vector<Vec3>& points)
 SceneNeeds findNeeds(const Scene& scene, const Receivers& receivers, const Settings& settings)
 {
   SceneNeeds needs = kalos::findNeeds(scene, inScene(scene, receivers.points));
-  needs.unoccluded = needs.unoccluded && settings.uses(Technique::Convex);
+  needs.unoccluded = needs.unoccluded && settings.uses(Technique::Convex) && !scene.data().sky;
   return needs;
 }
 }  // namespace
@@ -42,8 +43,9 @@ ReceiverDirectLight::ReceiverDirectLight(const Scene& scene, const Receivers& re
       ClosedForms(!this->Sampled && this->Needs.emittingTriangles <= largestExact &&
                   this->Needs.emittingTriangles * receivers.points.size() <= largestViews),
       Exact(scene, this->ClosedForms, this->shadows() || this->Sampled),
-      Luminaires(scene, false, this->shadows() || this->Sampled),
-      Mirrored(scene)
+      Luminaires(scene, false, this->shadows() || this->Sampled, settings.openings),
+      Mirrored(scene),
+      FromSky(scene, settings.openings, settings.walks(), !this->Sampled)
 {
   this->Sensors.reserve(receivers.points.size());
   for (std::size_t i = 0; i < receivers.points.size(); ++i)
@@ -69,6 +71,7 @@ bool ReceiverDirectLight::prepare(Workers& workers, Tally& tally)
   if (!looked)
     return false;
   this->Views.resize(this->Sensors.size());
+  this->FromSky.start(this->Sensors);
   return workers.forEach(tileCount(this->Sensors.size()), [&](std::size_t tile) {
     const std::size_t end = std::min(this->Sensors.size(), (tile + 1) * tileSize);
     for (std::size_t r = tile * tileSize; r < end; ++r)
@@ -82,6 +85,9 @@ bool ReceiverDirectLight::prepare(Workers& workers, Tally& tally)
       this->measureVisibility(r);
       for (int b = 0; b < tally.bands(); ++b)
         tally.fixed(r)[b] += view.points[b] + view.visibleShare * view.areas[b];
+      const double sky = this->FromSky.any() ? this->FromSky.prepare(r, this->Sensors[r]) : 0;
+      for (int b = 0; b < tally.bands() && this->FromSky.any(); ++b)
+        tally.fixed(r)[b] += sky;
     }
   });
 }
@@ -108,8 +114,9 @@ void ReceiverDirectLight::measureVisibility(std::size_t r)
 double ReceiverDirectLight::illuminance(std::size_t r) const
 {
   const int bands = this->Scene_.bands();
+  const double sky = this->FromSky.any() && !this->Sensors[r].brdf ? this->FromSky.fixed(r) : 0;
   return photometric(this->Views[r].points, bands) +
-         this->Views[r].visibleShare * photometric(this->Views[r].areas, bands);
+         this->Views[r].visibleShare * photometric(this->Views[r].areas, bands) + sky;
 }
 
 bool ReceiverDirectLight::isSteady(std::size_t r) const
@@ -124,10 +131,24 @@ bool ReceiverDirectLight::isSteady(std::size_t r) const
   return share == 0 || share == 1;
 }
 
+double ReceiverDirectLight::skyFluctuation(std::size_t r, int replicate, long long first, int count) const
+{
+  const int each = std::min(this->PerSample, mostPerSkySample) * (this->FromSky.isSteady(r) ? steadySaving : 1);
+  const int samples = (count + each - 1) / each;
+  const Walks walks = this->Drawn.ofReceiver(r);
+  double sum = 0;
+  for (int s = 0; s < samples; ++s)
+  {
+    SampleStream random = walks.stream(replicate, Purpose::Sky, (first + each - 1) / each + s);
+    sum += this->FromSky.sample(r, this->Sensors[r], random);
+  }
+  return sum * count / samples;
+}
+
 Bands ReceiverDirectLight::fluctuation(std::size_t r, int replicate, long long first, int count) const
 {
   const Sensor& sensor = this->Sensors[r];
-  if (!sensor.brdf && !this->direct().fluctuates())
+  if (!sensor.brdf && !this->direct().fluctuates() && !this->FromSky.any())
     return {};
   const int each = this->PerSample * (sensor.brdf || !this->isSteady(r) ? 1 : steadySaving);
   const int samples = (count + each - 1) / each;
@@ -145,8 +166,9 @@ Bands ReceiverDirectLight::fluctuation(std::size_t r, int replicate, long long f
     for (int b = 0; b < this->Scene_.bands(); ++b)
       sum[b] += light[b] * excess;
   }
+  const double sky = sensor.brdf || !this->FromSky.any() ? 0 : this->skyFluctuation(r, replicate, first, count);
   for (int b = 0; b < this->Scene_.bands(); ++b)
-    sum[b] *= static_cast<double>(count) / samples;
+    sum[b] = sum[b] * static_cast<double>(count) / samples + sky;
   return sum;
 }
 

@@ -9,6 +9,7 @@
 #include "estimator/control/Workers.h"
 #include "estimator/direct/DirectLight.h"
 #include "estimator/direct/MirrorImages.h"
+#include "estimator/direct/ReceiverSkyLight.h"
 #include "estimator/tally/Tally.h"
 #include "scene/SceneNeeds.h"
 
@@ -64,6 +65,7 @@ private:
   const DirectLight& direct() const { return this->ClosedForms ? this->Exact : this->Luminaires; }
   void measureVisibility(std::size_t receiver);
   bool isSteady(std::size_t receiver) const;
+  double skyFluctuation(std::size_t receiver, int replicate, long long first, int count) const;
 
   const Scene& Scene_;
   int PerSample;
@@ -74,6 +76,7 @@ private:
   DirectLight Exact;       // luminaires, and meshes where closed forms serve
   DirectLight Luminaires;  // luminaires only
   MirrorImages Mirrored;
+  ReceiverSkyLight FromSky;
   std::vector<Sensor> Sensors;
   std::vector<DirectLight::View> Views;
 };

@@ -15,7 +15,7 @@ GatherContext::GatherContext(const Scene& scene, const Emission& emission, const
       Density(scene, emission, settings.walks()),
       Shadows(shadows),
       EveryPair(!settings.uses(Technique::Picked)),
-      Luminaires(scene, false, shadows),
+      Luminaires(scene, false, shadows, settings.openings),
       Mirrored(scene)
 {
 }

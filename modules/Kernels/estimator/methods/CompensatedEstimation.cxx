@@ -11,7 +11,7 @@ namespace kalos
 CompensatedEstimation::CompensatedEstimation(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Scene_(scene),
       Settings_(settings),
-      Source(scene),
+      Source(scene, settings.openings),
       Direct(scene, receivers, settings),
       Light(scene, this->Source, settings, this->Direct.shadows(), receivers.points.size()),
       EdgeDistances(receivers.edgeDistances)

@@ -11,7 +11,7 @@ DirectSimulation::DirectSimulation(const Scene& scene, const Receivers& receiver
     : Scene_(scene),
       Settings_(settings),
       HalfSide(settings.epsilon > 0 ? settings.epsilon : scene.size() / 200),
-      Source(scene),
+      Source(scene, settings.openings),
       Normals(receivers.normals)
 {
   for (std::uint32_t i = 0; i < receivers.points.size(); ++i)

@@ -16,7 +16,7 @@ constexpr int phases = 4;                  // of a round
 FinalGathering::FinalGathering(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Scene_(scene),
       Settings_(settings),
-      Source(scene),
+      Source(scene, settings.openings),
       Direct(scene, receivers, settings, trajectoriesPerSample),
       Rays(scene, this->Source, settings, this->Direct.shadows()),
       Plan(scene, this->Direct.sensors(), settings),

@@ -22,7 +22,7 @@ double plannedTrajectories(const Settings& settings)
 LocalEstimation::LocalEstimation(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Scene_(scene),
       Settings_(settings),
-      Source(scene),
+      Source(scene, settings.openings),
       Direct(scene, receivers, settings),
       CollisionsPerArea(VertexDensity(scene, this->Source, settings.walks()).typical()),
       Alteration(

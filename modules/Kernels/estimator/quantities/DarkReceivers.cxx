@@ -66,7 +66,7 @@ bool hasLightInSight(const Scene& scene, const RayAnchor& here, const std::vecto
   for (int i = 0; i < rays; ++i)
   {
     const SurfacePoint y = scene.trace(here, probeDirection(frame, i));
-    if (y.valid && seesOne(scene, scene.anchor(y), emitters))
+    if (y.valid ? seesOne(scene, scene.anchor(y), emitters) : scene.data().sky != nullptr)
       return true;
   }
   return false;
@@ -126,7 +126,7 @@ DarkReceivers findDarkReceivers(const Scene& scene, const Receivers& receivers, 
     return answer;
   const std::vector<std::size_t> found = darkOnes(values);
   const std::vector<Emitter> shining = found.empty() ? std::vector<Emitter>{} : emitters(scene);
-  if (shining.empty())
+  if (shining.empty() && !scene.data().sky)
     return answer;
 
   const std::vector<std::size_t> cutOff = cutOffOnes(scene, receivers, found, shining);

@@ -107,6 +107,9 @@ private:
     const int bands = this->Scene_.bands();
     SurfacePoint y = this->Scene_.trace(eye, direction);
     double weight = 1;
+    if (!y.valid && this->Scene_.data().sky)
+      for (int b = 0; b < bands; ++b)
+        this->Emitted.luminanceBands[pixel * bands + b] += this->Scene_.data().sky->luminanceWithSun(direction);
     for (int mirrors = 0; y.valid; ++mirrors)
     {
       const Material& material = this->Scene_.material(y.triangle);

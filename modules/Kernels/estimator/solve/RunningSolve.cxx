@@ -34,11 +34,25 @@ void check(const Receivers& receivers, const Settings& s)
 std::unique_ptr<Estimator> makeChecked(const Scene& scene, const Receivers& receivers, const Settings& settings,
                                        const Ranks& ranks)
 {
-  check(receivers, settings);
   neighbourhood(scene, settings, 0);  // rejects invalid delta and epsilon for every method
   std::unique_ptr<Estimator> estimator;
   ranks.together([&] { return (estimator = makeEstimator(scene, receivers, settings)) != nullptr; });
   return estimator;
+}
+
+// The openings to find, where they are not known.
+SkyOpenings lookAround(const Scene& scene, const Receivers& receivers, const Settings& settings)
+{
+  check(receivers, settings);
+  return settings.openings ? SkyOpenings() : findOpenings(scene, receivers, settings);
+}
+
+Settings through(const SkyOpenings& openings, const Settings& given)
+{
+  Settings settings = given;
+  if (!settings.openings)
+    settings.openings = &openings;
+  return settings;
 }
 
 // Of Estimator::replicates(): as many as a solve of no certain length takes.
@@ -55,9 +69,10 @@ RunningSolve::RunningSolve(const Scene& inScene, const Receivers& atReceivers, c
                            const Progress& progress, bool shown)
     : scene(inScene),
       receivers(atReceivers),
-      settings(withSettings),
+      openings(lookAround(inScene, atReceivers, withSettings)),
+      settings(through(this->openings, withSettings)),
       ranks(withSettings.ranks ? *withSettings.ranks : this->oneProcess),
-      estimator(makeChecked(inScene, atReceivers, withSettings, this->ranks)),
+      estimator(makeChecked(inScene, atReceivers, this->settings, this->ranks)),
       workers(withSettings.threads, progress, this->ranks),
       tally(inScene, atReceivers.points.size(), replicatesOf(*this->estimator, withSettings)),
       schedule(withSettings, this->receivers, this->tally, this->estimator->pace(), shown)

@@ -3,6 +3,7 @@
 #ifndef kalos_estimator_solve_RunningSolve_h
 #define kalos_estimator_solve_RunningSolve_h
 
+#include "estimator/solve/Daylight.h"
 #include "estimator/solve/Schedule.h"
 
 namespace kalos
@@ -21,7 +22,8 @@ struct RunningSolve
 
   const Scene& scene;
   const Receivers& receivers;
-  const Settings& settings;
+  const SkyOpenings openings;  ///< that it has looked for
+  const Settings settings;     ///< with openings
   const Ranks oneProcess;
   const Ranks& ranks;
   std::unique_ptr<Estimator> estimator;

@@ -45,6 +45,7 @@ public:
         Saved(settings.checkpoint, this->Run.ranks)
   {
     this->Found.alteredKernel = this->Run.estimator->altersKernel();
+    this->Found.skyIlluminance = scene.data().sky ? scene.data().sky->horizontalIlluminance() : 0;
   }
 
   Result run();
@@ -197,7 +198,7 @@ void Solve::finish()
   result.rays = static_cast<decltype(result.rays)>(run.ranks.sum(static_cast<double>(result.rays)));
   result.audit = auditMaterials(run.scene);
   for (const std::vector<AuditLine>& lines :
-       {run.estimator->audit(), run.tally.auditEnergy(), auditOverlaps(run.scene)})
+       {auditDaylight(run.scene, run.openings), run.estimator->audit(), run.tally.auditEnergy(), auditOverlaps(run.scene)})
     result.audit.insert(result.audit.end(), lines.begin(), lines.end());
   if (!result.goal.empty())
     result.audit.push_back(auditGoal(run.settings, result, run.schedule.goal().distance(run.tally, run.done) <= 1));

@@ -32,7 +32,7 @@ std::string faultIn(const VertexSet& set, const Vec3& origin)
 
 std::string culprit(const Scene& scene, const Settings& settings, int replicate, long long first, int count)
 {
-  const Emission emission(scene);
+  const Emission emission(scene, settings.openings);
   for (long long i = first; emission.totalFlux() > 0 && i < first + count; ++i)
   {
     const LightVertices pool = traceTrajectories(scene, emission, settings.walks(), replicate, i, 1);

@@ -5,7 +5,7 @@
 
 namespace kalos
 {
-Emission::Emission(const Scene& scene) : Scene_(scene)
+Emission::Emission(const Scene& scene, const SkyOpenings* openings) : Scene_(scene), FromSky(scene, openings)
 {
   auto add = [this](double flux) { this->Cumulative.push_back(this->TotalFlux += flux); };
   for (const Luminaire& luminaire : scene.data().luminaires)
@@ -22,6 +22,8 @@ Emission::Emission(const Scene& scene) : Scene_(scene)
       add(exitance * 0.5 * length(cross(part[1] - part[0], part[2] - part[0])));
     }
   }
+  if (this->FromSky.flux() > 0)
+    add(this->FromSky.flux());
 }
 
 EmissionSample Emission::sample(SampleStream& random) const
@@ -33,8 +35,21 @@ EmissionSample Emission::sample(SampleStream& random) const
   const double before = i ? this->Cumulative[i - 1] : 0;
   const double u = std::min((target - before) / (this->Cumulative[i] - before), 0x1.fffffffffffffp-1);
   const std::size_t luminaires = this->Scene_.data().luminaires.size();
+  if (i >= luminaires + this->Parts.size())
+    return this->fromSky(u, random);
   return i < luminaires ? this->fromLuminaire(i, u, random)
                         : this->fromTriangle(this->Parts[i - luminaires], u, random);
+}
+
+EmissionSample Emission::fromSky(double u, SampleStream& random) const
+{
+  const double u1 = random.next(), u2 = random.next(), u3 = random.next(), u4 = random.next();
+  const SkyEmission::Line line = this->FromSky.sample(u, u1, u2, u3, u4);
+  EmissionSample start;
+  start.anchor = line.start;
+  start.direction = line.direction;
+  start.weight = uniformBands(line.weight * this->TotalFlux / this->FromSky.flux());
+  return start;
 }
 
 EmissionSample Emission::fromLuminaire(std::size_t i, double u, SampleStream& random) const

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where trajectories start: luminaires and emitting triangles, chosen in proportion to their flux.
+// Where trajectories start: luminaires, emitting triangles and the sky, chosen in proportion to their flux.
 #ifndef kalos_estimator_tracing_Emission_h
 #define kalos_estimator_tracing_Emission_h
 
 #include <vector>
 
+#include "estimator/tracing/SkyEmission.h"
 #include "sampling/SampleStream.h"
 #include "scene/Scene.h"
 
@@ -24,11 +25,13 @@ struct EmissionSample
 class Emission
 {
 public:
-  explicit Emission(const Scene& scene);
+  /// `openings`, where the sky shines in, may be null: more of its light misses the scene then.
+  explicit Emission(const Scene& scene, const SkyOpenings* openings = nullptr);
 
   double totalFlux() const { return this->TotalFlux; }  ///< lm, photometric
 
-  /// Draws an emitter, a point on it and a direction; every sample carries the whole photometric flux.
+  /// Draws an emitter, a point on it and a direction; every sample carries the whole photometric flux, but
+  /// those of the sky about that.
   EmissionSample sample(SampleStream& random) const;
 
 private:
@@ -40,10 +43,12 @@ private:
   // u: uniform in [0,1), left over from the choice of the emitter.
   EmissionSample fromLuminaire(std::size_t luminaire, double u, SampleStream& random) const;
   EmissionSample fromTriangle(const Part& part, double u, SampleStream& random) const;
+  EmissionSample fromSky(double u, SampleStream& random) const;
 
   const Scene& Scene_;
+  SkyEmission FromSky;
   std::vector<Part> Parts;         // of the emitting triangles
-  std::vector<double> Cumulative;  // flux up to and including luminaire or triangle i
+  std::vector<double> Cumulative;  // flux up to and including luminaire or triangle i, then the sky
   double TotalFlux = 0;
 };
 }  // namespace kalos

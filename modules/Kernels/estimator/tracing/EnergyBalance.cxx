@@ -89,7 +89,7 @@ std::vector<AuditLine> EnergyBalance::audit() const
     else if (all.trapped(s) == all.starts(s) && all.starts(s) >= manyStarts && this->Scene_.surfaces() > 1)
       warn(this->Scene_.surfaceName(s) + " shines into itself", "its normals may be turned; it emits on their side");
   }
-  if (escaped > leastLeak && escaped < largestLeak && all.lastSeen(worst) > 0)
+  if (escaped > leastLeak && escaped < largestLeak && all.lastSeen(worst) > 0 && !this->Scene_.data().sky)
     warn(this->Scene_.surfaceName(worst) + " seems to leak",
          percent(escaped) + " of the light leaves the scene, last seen there; expected none in a closed room");
   return lines;
