@@ -33,8 +33,8 @@ cpp_id_attributes = []
 
 html_theme = "furo"
 html_title = f"Kalos {version}"
-html_logo = "pictures/logo.svg"
-html_favicon = "pictures/logo.svg"
+html_logo = "../apps/edge-studio/share/kalos.svg"
+html_favicon = "../apps/edge-studio/share/kalos.svg"
 html_static_path = ["static"]
 html_css_files = ["manual.css"]
 html_copy_source = False
