@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads scene files and models, and lists what is in them."""
+import json
 import os
+from pathlib import Path
 
 from kalos.core import arrays
 from kalos.errors import update
@@ -17,6 +19,18 @@ def read_scene(path):
         reader.SetModelUp(path.up)
     update(reader)
     return reader
+
+
+def described(path, section):
+    """What a scene file says of its luminaires or receivers, by name; a model's own are not described."""
+    if Path(path).suffix.lower() in MODELS:
+        return {}
+    return {one["name"]: one for one in json.loads(Path(path).read_text(encoding="utf-8-sig")).get(section, [])}
+
+
+def maintenance(path):
+    """The maintenance factor of a scene file."""
+    return 1.0 if Path(path).suffix.lower() in MODELS else json.loads(Path(path).read_text(encoding="utf-8-sig")).get("maintenance_factor", 1.0)
 
 
 def photometry_warnings(reader):
