@@ -6,11 +6,14 @@
 
 writes OUT/edge-spikes.png, both for about the same time and on one scale, and prints their largest and mean luminance and their time.
 """
+from __future__ import annotations
+
 import sys
 from pathlib import Path
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import kalos
 from kalos.pictures.scale import colour_bar, colour_scale
@@ -20,7 +23,7 @@ TRAJECTORIES = {"local": 2048, "gathered": 32768}  # for about the same time
 TITLES = {"local": "plain local estimation", "gathered": "Kalos, gathered"}
 
 
-def room():
+def room() -> tuple[list[vtkPolyData], vtkPolyData]:
     """The Cornell room of 5 m with a grey box, from arrays: surfaces and a lamp of 10 000 lm."""
     shell = kalos.box((2.5, 2.5, 2.5), (5, 5, 5), 0.7, inwards=True)
     boxes = [kalos.box((3.3, 1.7, 0.75), (1.5, 1.5, 1.5), 0.7, rotation_z_deg=-17),
@@ -28,7 +31,7 @@ def room():
     return [shell, *boxes], kalos.luminaire((2.5, 2.5, 4.999), 10000)
 
 
-def draw(path, pictures):
+def draw(path: Path, pictures: dict[str, kalos.Luminance]) -> None:
     figure = Figure(figsize=(12, 4.6), dpi=110)
     FigureCanvasAgg(figure)
     scale = colour_scale(pictures["gathered"].luminance)
@@ -41,7 +44,7 @@ def draw(path, pictures):
     figure.savefig(path, metadata={"Software": None})
 
 
-def main(out):
+def main(out: str | Path) -> None:
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
     surfaces, lamp = room()

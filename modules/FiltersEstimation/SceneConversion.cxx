@@ -10,6 +10,7 @@
 #include "ConcavePolygons.h"
 #include "ConversionErrors.h"
 #include "LuminaireConversion.h"
+#include "SurfaceJoining.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -172,10 +173,10 @@ void AddSurfaces(vtkPolyData* surfaces, kalos::SceneDescription& scene)
 }
 }  // namespace
 
-kalos::SceneDescription MakeSceneDescription(vtkPolyData* surfaces, vtkPolyData* luminaires)
+kalos::SceneDescription MakeSceneDescription(vtkDataObject* surfaces, vtkPolyData* luminaires)
 {
   kalos::SceneDescription scene;
-  AddSurfaces(surfaces, scene);
+  AddSurfaces(JoinSurfaces(surfaces), scene);
   if (luminaires)
     AddLuminaires(luminaires, scene);
   if (scene.triangles.empty() && scene.luminaires.empty())

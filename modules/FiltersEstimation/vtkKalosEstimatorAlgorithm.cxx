@@ -3,6 +3,7 @@
 
 #include "CheckpointFile.h"
 #include "SceneConversion.h"
+#include "SurfaceJoining.h"
 #include "estimator/control/Result.h"
 #include "estimator/control/Settings.h"
 #include "vtkDoubleArray.h"
@@ -61,10 +62,10 @@ std::unique_ptr<kalos::CheckpointStore> vtkKalosEstimatorAlgorithm::MakeCheckpoi
                                             [this](const std::string& why) { vtkWarningMacro(<< why); });
 }
 
-std::shared_ptr<const kalos::Scene> vtkKalosEstimatorAlgorithm::MakeScene(vtkPolyData* surfaces,
+std::shared_ptr<const kalos::Scene> vtkKalosEstimatorAlgorithm::MakeScene(vtkDataObject* surfaces,
                                                                           vtkPolyData* luminaires)
 {
-  const vtkMTimeType surfacesTime = surfaces->GetMTime(), luminairesTime = luminaires ? luminaires->GetMTime() : 0;
+  const vtkMTimeType surfacesTime = ModifiedTime(surfaces), luminairesTime = luminaires ? luminaires->GetMTime() : 0;
   if (this->Kept && this->Kept->Surfaces == surfacesTime && this->Kept->Luminaires == luminairesTime)
     return this->Kept->Scene;
   this->Kept = nullptr;
@@ -72,6 +73,13 @@ std::shared_ptr<const kalos::Scene> vtkKalosEstimatorAlgorithm::MakeScene(vtkPol
   if (this->KeepScene)
     this->Kept = std::make_unique<KeptScene>(KeptScene{surfacesTime, luminairesTime, scene});
   return scene;
+}
+
+void vtkKalosEstimatorAlgorithm::Warn(const kalos::Result& result)
+{
+  for (const kalos::AuditLine& line : result.audit)
+    if (this->ReportWarnings && line.subject == "warning")
+      vtkWarningMacro(<< line.choice << ": " << line.reason);
 }
 
 kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings(const kalos::Ranks& ranks,
@@ -154,6 +162,7 @@ void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
   os << indent << "KeepScene: " << (this->KeepScene ? "on" : "off") << "\n";
   os << indent << "IntermediateResults: " << (this->IntermediateResults ? "on" : "off") << "\n";
+  os << indent << "ReportWarnings: " << (this->ReportWarnings ? "on" : "off") << "\n";
   os << indent << "DisabledTechniques: " << (this->DisabledTechniques ? this->DisabledTechniques : "") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }

@@ -25,6 +25,7 @@
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkKalosFiltersEstimationModule.h"  // for export macro
 
+class vtkDataObject;
 class vtkFieldData;
 class vtkMultiProcessController;
 class vtkPolyData;
@@ -188,6 +189,15 @@ public:
 
   ///@{
   /**
+   * Give the warnings of the audit as VTK warnings as well, so that ParaView's output window shows them. Default off.
+   */
+  vtkSetMacro(ReportWarnings, bool);
+  vtkGetMacro(ReportWarnings, bool);
+  vtkBooleanMacro(ReportWarnings, bool);
+  ///@}
+
+  ///@{
+  /**
    * Time between checkpoints, s, >= 0. They are saved after complete rounds of trajectories. Default 10.
    */
   vtkSetMacro(CheckpointInterval, double);
@@ -242,10 +252,13 @@ protected:
   kalos::Settings MakeSettings(const kalos::Ranks& ranks, kalos::CheckpointStore* checkpoint) const;
 
   /// The kernels' scene of these inputs. Throws std::invalid_argument as MakeSceneDescription() does.
-  std::shared_ptr<const kalos::Scene> MakeScene(vtkPolyData* surfaces, vtkPolyData* luminaires);
+  std::shared_ptr<const kalos::Scene> MakeScene(vtkDataObject* surfaces, vtkPolyData* luminaires);
 
   /// Reports progress to VTK and returns false when the user aborts.
   bool ReportProgress(double fraction);
+
+  /// Gives the audit's warnings as VTK's, if ReportWarnings is on.
+  void Warn(const kalos::Result& result);
 
   /// Attaches the field data of the class comment.
   void Describe(const kalos::Result& result, vtkFieldData* fieldData) const;
@@ -265,6 +278,7 @@ protected:
   char* CheckpointFile = nullptr;
   double CheckpointInterval = 10;
   bool IntermediateResults = false;
+  bool ReportWarnings = false;
   bool KeepScene = false;
   char* DisabledTechniques = nullptr;
   vtkMultiProcessController* Controller = nullptr;

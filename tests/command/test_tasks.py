@@ -95,8 +95,8 @@ def test_glare_is_an_upper_limit(ugr, error, expected):
     assert Task("seat", glare=19).judge({"UGR": ugr, "UGR_standard_error": error})["result"] == expected
 
 
-@pytest.mark.parametrize("task, where", [({"mean": 0}, "task.mean: 0 found; expected a number above 0"),
-                                         ({"mean": 5, "U0": 1.5}, "task.U0: 1.5 found; expected a number above 0 and at most 1"),
+@pytest.mark.parametrize("task, where", [({"mean": 0}, "task.mean: found 0; expected a number above 0"),
+                                         ({"mean": 5, "U0": 1.5}, "task.U0: found 1.5; expected a number above 0 and at most 1"),
                                          ({"U0": 0.5}, 'task: the key "mean" is missing'), ({"mean": 5, "UGR": 19}, 'task: unknown key "UGR"')])
 def test_a_wrong_task(scene, command, tmp_path, task, where):
     scene["receivers"][0]["task"] = task

@@ -3,6 +3,7 @@
 import json
 import os
 from pathlib import Path
+from typing import Any
 
 from kalos.core import arrays
 from kalos.errors import update
@@ -10,7 +11,7 @@ from kalos.scenes.model_file import MODELS, ModelFile
 from kalos.vtk import vtkKalosSceneReader
 
 
-def read_scene(path):
+def read_scene(path: Any) -> Any:
     """A vtkKalosSceneReader that has read the scene or model file: ports 0 surfaces, 1 luminaires, 2 receivers, and the cameras."""
     reader = vtkKalosSceneReader()
     reader.SetFileName(os.fspath(path))
