@@ -4,10 +4,11 @@
 Sources are quoted by the role `source`: {source}`PATH:TEXT` links to the one line of PATH that holds TEXT, and the build
 fails when there is none any more, or a second one.
 """
-from kalos_manual import generated, katex, sources
+from kalos_manual import api, generated, katex, sources
 
 
 def setup(app):
+    api.setup(app)
     generated.setup(app)
     katex.setup(app)
     sources.setup(app)
