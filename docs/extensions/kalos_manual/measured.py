@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 PICTURES = {"edge_spikes": "edge-spikes.png", "first_light": "first-light.png", "edge_profile": "edge-profile.png",
-            "luminaire": "luminaire.png", "neighbourhood": "neighbourhood.png"}
+            "luminaire": "luminaire.png", "neighbourhood": "neighbourhood.png", "mesh_preparation": "mesh-preparation.png"}
 NOTEBOOKS = ("wall", "spikes", "speed")
 
 
