@@ -116,3 +116,16 @@ def test_readme():
     assert re.fullmatch(r"\d+ lx ± \d+\.\d\n", ran.stdout), ran.stderr
     for command in ("apps/demo", "tests/run", "build/bin/kalos solve"):
         assert command in text
+
+
+def test_numbers_of_the_readme():
+    """They are those that the zoo lists and that `kalos validate --figures` printed last."""
+    text, figures = README.read_text(encoding="utf-8"), (DOCS / "validation" / "figures.txt").read_text(encoding="utf-8")
+    held = [float(number) for found in re.findall(r"hold the truth in ([\d.]+) to ([\d.]+) % of the seeds", figures) for number in found]
+    said = [float(number) for number in re.search(r"hold the truth in ([\d.]+) to ([\d.]+) % of 200 seeds", text).groups()]
+    assert len(held) >= 6 and said == [min(held), max(held)]
+    sys.path.insert(0, str(ROOT / "tests" / "zoo"))
+    from catalogue import ROOMS
+
+    hard = [line for line in (ROOT / "tests" / "zoo" / "hard.txt").read_text().splitlines() if line and not line.startswith("#")]
+    assert f"of {len(ROOMS)} hard rooms with known truths {len(hard)} are known" in text
