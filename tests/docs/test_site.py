@@ -15,6 +15,7 @@ pytest.importorskip("breathe", reason="no Breathe")
 sys.path.insert(0, str(DOCS / "extensions"))
 from kalos_manual import scene  # noqa: E402
 from kalos_manual.links import broken_links  # noqa: E402
+from kalos_manual.measured import PICTURES  # noqa: E402
 from kalos_manual.sources import line_of  # noqa: E402
 
 BUILD = Path(os.environ["KALOS_BUILD"])
@@ -71,3 +72,12 @@ def test_figures_are_of_this_version():
     head, *lines = (DOCS / "validation" / "figures.txt").read_text(encoding="utf-8").splitlines()
     assert re.fullmatch(rf"kalos {re.escape(version)}, \d{{4}}-\d\d-\d\d: kalos validate --figures", head), "docs/make --figures"
     assert len(lines) > 100 and not [line for line in lines if "fail" in line.split()[-1:]]
+
+
+def test_pictures_have_commands():
+    """Each picture has the command that makes it, whose example is there; screenshots are made by tests of Edge Studio."""
+    kept = {path.name for path in (DOCS / "pictures").glob("*.png")}
+    assert kept == set(PICTURES) | {"edge-studio.png", "edge-lens.png", "photometry.png"}
+    for command, _ in PICTURES.values():
+        for path in re.findall(r"(?:examples|data|tests)/\S+", command):
+            assert (ROOT / path).exists(), path

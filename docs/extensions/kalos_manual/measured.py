@@ -9,8 +9,20 @@ import sys
 import tempfile
 from pathlib import Path
 
-PICTURES = {"edge_spikes": "edge-spikes.png", "first_light": "first-light.png", "edge_profile": "edge-profile.png",
-            "luminaire": "luminaire.png", "neighbourhood": "neighbourhood.png", "mesh_preparation": "mesh-preparation.png"}
+# What a picture is made by, in a scratch folder that {out} stands for, and the file that it leaves there.
+PICTURES = {
+    "cornell.png": ("{kalos} solve data/cornell/cornell.json --out {out} --trajectories 4096", "front.png"),
+    "edge-spikes.png": ("{python} examples/edge_spikes.py {out}", "edge-spikes.png"),
+    "first-light.png": ("{python} examples/first_light.py {out}", "first-light.png"),
+    "edge-profile.png": ("{python} examples/edge_profile.py {out}", "edge-profile.png"),
+    "luminaire.png": ("{python} examples/luminaire.py {out}", "luminaire.png"),
+    "neighbourhood.png": ("{python} examples/neighbourhood.py {out}", "neighbourhood.png"),
+    "mesh-preparation.png": ("{python} examples/mesh_preparation.py {out}", "mesh-preparation.png"),
+    "parameter-study.png": ("{python} examples/parameter_study.py {out}", "sphere-published/study.png"),
+    "mpi-hall.png": ("mpiexec -n 2 {python} examples/mpi_hall.py {out}", "mpi-hall.png"),
+    "paraview-room.png": ("tests/with_screen pvpython examples/paraview_room.py {out}/room.png --plugin {plugin}", "room.png"),
+    "chart.png": ("{python} examples/speed_accuracy.py {out}", "chart.png"),  # with the peers of KALOS_PEERS_PYTHON
+}
 NOTEBOOKS = ("wall", "spikes", "speed")
 
 
@@ -20,10 +32,14 @@ def environment(build):
 
 def pictures(root, build):
     """Runs the examples, and the notebooks, whose outputs stand in them."""
-    with tempfile.TemporaryDirectory() as scratch:
-        for name, picture in PICTURES.items():
-            subprocess.run([sys.executable, root / "examples" / f"{name}.py", scratch], check=True, env=environment(build))
-            shutil.copyfile(Path(scratch) / picture, root / "docs" / "pictures" / picture)
+    plugin = next(build.glob("lib*/paraview-*/plugins/Kalos/Kalos.so"), "")
+    for picture, (command, made) in PICTURES.items():
+        if picture == "chart.png" and "KALOS_PEERS_PYTHON" not in os.environ:
+            continue  # it would lack the peers
+        with tempfile.TemporaryDirectory() as out:
+            words = command.format(python=sys.executable, kalos=build / "bin" / "kalos", plugin=plugin, out=out).split()
+            subprocess.run(words, check=True, cwd=root, env=environment(build))
+            shutil.copyfile(Path(out) / made, root / "docs" / "pictures" / picture)
     for name in NOTEBOOKS:
         path = root / "examples" / "notebooks" / f"{name}.ipynb"
         path.write_text(executed(path, build), encoding="utf-8")
