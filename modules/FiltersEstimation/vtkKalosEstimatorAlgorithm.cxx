@@ -75,13 +75,6 @@ std::shared_ptr<const kalos::Scene> vtkKalosEstimatorAlgorithm::MakeScene(vtkDat
   return scene;
 }
 
-void vtkKalosEstimatorAlgorithm::Warn(const kalos::Result& result)
-{
-  for (const kalos::AuditLine& line : result.audit)
-    if (this->ReportWarnings && line.subject == "warning")
-      vtkWarningMacro(<< line.choice << ": " << line.reason);
-}
-
 kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings(const kalos::Ranks& ranks,
                                                          kalos::CheckpointStore* checkpoint) const
 {
@@ -162,7 +155,6 @@ void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
   os << indent << "KeepScene: " << (this->KeepScene ? "on" : "off") << "\n";
   os << indent << "IntermediateResults: " << (this->IntermediateResults ? "on" : "off") << "\n";
-  os << indent << "ReportWarnings: " << (this->ReportWarnings ? "on" : "off") << "\n";
   os << indent << "DisabledTechniques: " << (this->DisabledTechniques ? this->DisabledTechniques : "") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }

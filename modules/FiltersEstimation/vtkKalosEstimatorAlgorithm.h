@@ -189,15 +189,6 @@ public:
 
   ///@{
   /**
-   * Give the warnings of the audit as VTK warnings as well, so that ParaView's output window shows them. Default off.
-   */
-  vtkSetMacro(ReportWarnings, bool);
-  vtkGetMacro(ReportWarnings, bool);
-  vtkBooleanMacro(ReportWarnings, bool);
-  ///@}
-
-  ///@{
-  /**
    * Time between checkpoints, s, >= 0. They are saved after complete rounds of trajectories. Default 10.
    */
   vtkSetMacro(CheckpointInterval, double);
@@ -257,9 +248,6 @@ protected:
   /// Reports progress to VTK and returns false when the user aborts.
   bool ReportProgress(double fraction);
 
-  /// Gives the audit's warnings as VTK's, if ReportWarnings is on.
-  void Warn(const kalos::Result& result);
-
   /// Attaches the field data of the class comment.
   void Describe(const kalos::Result& result, vtkFieldData* fieldData) const;
 
@@ -278,7 +266,6 @@ protected:
   char* CheckpointFile = nullptr;
   double CheckpointInterval = 10;
   bool IntermediateResults = false;
-  bool ReportWarnings = false;
   bool KeepScene = false;
   char* DisabledTechniques = nullptr;
   vtkMultiProcessController* Controller = nullptr;

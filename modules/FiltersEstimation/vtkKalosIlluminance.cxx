@@ -154,7 +154,6 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
       return 1;
     kalos::DarkReceivers dark = kalos::findDarkReceivers(*scene, receivers, result);
     std::move(dark.audit.begin(), dark.audit.end(), std::back_inserter(result.audit));
-    this->Warn(result);
     using Pipeline = vtkStreamingDemandDrivenPipeline;
     vtkInformation* asked = outputs->GetInformationObject(0);
     if (asked->Has(Pipeline::UPDATE_PIECE_NUMBER()) && asked->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)

@@ -119,7 +119,6 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
           {"warning", "the image is black",
            "nothing lit is in sight of the camera: inside a solid, outside of a closed room "
            "or turned away from it"});
-    this->Warn(result.estimate);
     FillImage(output, this->Resolution, result);
     this->Describe(result.estimate, output->GetFieldData());
     using Pipeline = vtkStreamingDemandDrivenPipeline;

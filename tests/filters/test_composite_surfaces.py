@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from helpers import update_error
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkObject, vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection,
                                            vtkPolyData, vtkUnstructuredGrid)
 
@@ -76,12 +76,11 @@ def plane(height=0.75):
     return source.GetOutput()
 
 
-def estimator(surfaces, receivers, warnings=False):
+def estimator(surfaces, receivers):
     found = kalos.vtkKalosIlluminance()
     for port, data in enumerate((receivers, surfaces, LAMP)):
         found.SetInputDataObject(port, data)
     found.SetTrajectories(1600)
-    found.SetReportWarnings(warnings)
     return found
 
 
@@ -129,16 +128,3 @@ def test_receivers_of_any_composite():
     together = lux(room(), blocks([plane(), plane(1.2)]))
     np.testing.assert_array_equal(values(first), values(together.GetBlock(0)))
     np.testing.assert_array_equal(values(second), values(together.GetBlock(1)))
-
-
-@pytest.mark.parametrize("wanted", [True, False])
-def test_warnings_of_the_audit_are_reported(wanted):
-    """A plane below the floor has nothing lit in sight."""
-    found, told = estimator(room(), plane(-1), wanted), []
-    found.AddObserver("WarningEvent", lambda *event: told.append(event))
-    vtkObject.GlobalWarningDisplayOn()
-    try:
-        found.Update()
-    finally:
-        vtkObject.GlobalWarningDisplayOff()
-    assert bool(told) == wanted
