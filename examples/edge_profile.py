@@ -8,14 +8,18 @@ writes OUT/edge-profile.csv and OUT/edge-profile.png. The scene is the white fur
 emit 100 lm/m2, so that the illuminance is 250 lx everywhere. Each method gets the same trajectories, with several seeds. Its
 dots are single estimates over the truth; the line is their mean.
 """
+from __future__ import annotations
+
 import csv
 import sys
 from pathlib import Path
+from typing import Iterator
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
+from numpy.typing import NDArray
 
 import kalos
 from kalos.validation.truths import white_furnace
@@ -28,7 +32,7 @@ LOW, HIGH = 0.2, 6  # of the charts; what lies beyond sits on the frame as a tri
 DOT, LINE = "#8fb4cf", "#0b3d62"
 
 
-def profiles():
+def profiles() -> Iterator[tuple[str, NDArray[np.float64]]]:
     """Estimates over the truth, (seeds, distances) a method."""
     cube = kalos.box((0, 0, SIDE / 2), (SIDE, SIDE, SIDE), REFLECTANCE, exitance=EXITANCE, inwards=True)
     points = np.column_stack([DISTANCES - SIDE / 2, np.full_like(DISTANCES, 0.37), np.zeros_like(DISTANCES)])
@@ -38,7 +42,7 @@ def profiles():
                                                   seed=seed).illuminance for seed in SEEDS]) / truth
 
 
-def draw(path, found):
+def draw(path: Path, found: dict[str, NDArray[np.float64]]) -> None:
     figure = Figure(figsize=(12, 6), dpi=110)
     FigureCanvasAgg(figure)
     axes = figure.subplots(2, 4, sharex=True, sharey=True).ravel()
@@ -73,7 +77,7 @@ def draw(path, found):
     figure.savefig(path, metadata={"Software": None})
 
 
-def main(out):
+def main(out: str | Path) -> None:
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
     found = dict(profiles())

@@ -7,12 +7,16 @@
 writes OUT/first-light.png and prints the figures a lighting engineer asks for. The office is 4 m x 3 m x 2.8 m with a desk and
 a low cupboard, under two luminous panels.
 """
+from __future__ import annotations
+
 import sys
 from pathlib import Path
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import kalos
 from kalos.pictures.scale import colour_bar, colour_scale
@@ -22,7 +26,7 @@ PIXELS, TRAJECTORIES = (240, 180), 1024  # of the view
 DESK = (0.4, 2.1), (1.8, 2.9)  # m, corners of the desk seen from above
 
 
-def office():
+def office() -> tuple[list[vtkPolyData], vtkPolyData]:
     """Surfaces and luminaires: floor, ceiling, front, back, left, right; a wooden desk top in three bands; a cupboard."""
     room = kalos.box((2, 1.5, 1.4), (4, 3, 2.8), np.array([0.3, 0.8, 0.6, 0.6, 0.6, 0.6]), inwards=True)
     (x0, y0), (x1, y1) = DESK
@@ -32,13 +36,13 @@ def office():
     return [room, top, cupboard], panels
 
 
-def plane(columns=40, rows=30, height=0.75):
+def plane(columns: int = 40, rows: int = 30, height: float = 0.75) -> NDArray[np.float64]:
     """A grid over the whole floor: every value has an error bar, also beside the walls, so no border is left out."""
     x, y = np.meshgrid((np.arange(columns) + 0.5) * 4 / columns, (np.arange(rows) + 0.5) * 3 / rows)
     return np.stack([x, y, np.full_like(x, height)], axis=-1)
 
 
-def draw(path, lux, view):
+def draw(path: Path, lux: kalos.Illuminance, view: kalos.Luminance) -> None:
     figure = Figure(figsize=(12, 4.4), dpi=110)
     FigureCanvasAgg(figure)
     left, right = figure.add_axes((0.055, 0.12, 0.37, 0.74)), figure.add_axes((0.54, 0.12, 0.37, 0.74))
@@ -61,7 +65,7 @@ def draw(path, lux, view):
     figure.savefig(path, metadata={"Software": None})
 
 
-def main(out):
+def main(out: str | Path) -> None:
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
     surfaces, luminaires = office()

@@ -7,18 +7,23 @@
 writes OUT/corridor.json, a scene for `kalos solve` as well, and OUT/luminaire.png, and prints the figures of EN 12464-1 for
 the floor: mean and uniformity. The corridor is 10 m x 2 m x 2.8 m.
 """
+from __future__ import annotations
+
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 import kalos
 from kalos.photometry import draw_polar, facts, read_photometry
 from kalos.pictures.scale import colour_bar, colour_scale
 from kalos.scenes.reading import read_scene
+from kalos.vtk import vtkKalosPhotometryReader
 
 FILE = Path(__file__).resolve().parents[1] / "data" / "photometry" / "downlight.ies"
 LENGTH, WIDTH, HEIGHT = 10.0, 2.0, 2.8  # m
@@ -26,7 +31,7 @@ FLUX = 2000  # lm, of each
 COLUMNS, ROWS, ERROR, MOST = 100, 20, 0.02, 200000  # of the floor; 95 % half-width over the value; trajectories
 
 
-def corridor():
+def corridor() -> dict[str, Any]:
     """The scene as `kalos solve` reads it: a luminaire is its file, its place and its flux."""
     l, w, h = LENGTH, WIDTH, HEIGHT
     quads = {"floor": ([0, 0, 0], [l, 0, 0], [0, w, 0], "dark"), "ceiling": ([0, 0, h], [0, w, 0], [l, 0, 0], "light"),
@@ -42,13 +47,13 @@ def corridor():
                                                       "resolution": [COLUMNS, ROWS]}}]}
 
 
-def floor():
+def floor() -> NDArray[np.float64]:
     """Points over the whole floor, up to 5 cm from the walls: they have error bars as all others."""
     x, y = np.meshgrid((np.arange(COLUMNS) + 0.5) * LENGTH / COLUMNS, (np.arange(ROWS) + 0.5) * WIDTH / ROWS)
     return np.stack([x, y, np.zeros_like(x)], axis=-1)
 
 
-def draw(path, reader, lux):
+def draw(path: Path, reader: vtkKalosPhotometryReader, lux: kalos.Illuminance) -> None:
     figure = Figure(figsize=(12, 4.6), dpi=110)
     FigureCanvasAgg(figure)
     figure.text(0.02, 0.93, f"{reader.GetLuminaireName()}: {facts(reader)}", fontsize=11)
@@ -76,7 +81,7 @@ def draw(path, reader, lux):
     figure.savefig(path, metadata={"Software": None})
 
 
-def main(out):
+def main(out: str | Path) -> None:
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
     scene = out / "corridor.json"

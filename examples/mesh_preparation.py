@@ -9,8 +9,11 @@ desk and a cupboard stand on the floor, a case on the cupboard, and a board lean
 are solid blue lines, contacts dashed orange ones, the darker the severer;
 what furniture hides is drawn thin, and so are the edges between walls that one looks through.
 """
+from __future__ import annotations
+
 import sys
 from pathlib import Path
+from typing import Iterator, List, Sequence
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -19,12 +22,15 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import LinearSegmentedColormap, LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from numpy.typing import ArrayLike, NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-import kalos
 from kalos.pictures.axonometry import TO_VIEWER, paper
 from kalos.preparation.mesh_readers import poly_data
+from kalos.vtk import vtkKalosSingularEdges, vtkKalosSurfaceRepair
 
+Polygons = List[List[NDArray[np.float64]]]  # corners of each, m
 SIDES = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]  # of a box, outwards
 EDGES = LinearSegmentedColormap.from_list("edges", ["#9ec4e8", "#08386e"])
 CONTACTS = LinearSegmentedColormap.from_list("contacts", ["#f6b98a", "#a33a05"])
@@ -33,7 +39,7 @@ PIECE = 0.02  # m, of a line that is hidden or not as a whole
 VIEWER = TO_VIEWER / np.linalg.norm(TO_VIEWER)
 
 
-def box(base, size, degrees, inwards=False):
+def box(base: ArrayLike, size: Sequence[float], degrees: float, inwards: bool = False) -> Polygons:
     """The six faces of a box whose bottom's centre is at `base`, turned about the vertical."""
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     u, v, w = np.array([c, s, 0]) * size[0], np.array([-s, c, 0]) * size[1], np.array([0, 0, size[2]])
@@ -42,7 +48,7 @@ def box(base, size, degrees, inwards=False):
     return [[points[i] for i in (side[::-1] if inwards else side)] for side in SIDES]
 
 
-def furnished_room():
+def furnished_room() -> Polygons:
     """Room of 4 m x 4 m x 2.6 m with a desk, a cupboard, a case on it, and a leaning board."""
     polygons = box((2, 2, 0), (4, 4, 2.6), 0, inwards=True)
     polygons += box((1.25, 1.3, 0), (1.4, 0.7, 0.72), 12) + box((3.0, 2.6, 0), (0.9, 0.8, 1.0), -20)
@@ -54,28 +60,28 @@ def furnished_room():
     return polygons + [[points[i] for i in side] for side in SIDES]
 
 
-def prepare(polygons):
+def prepare(polygons: Polygons) -> tuple[vtkPolyData, vtkPolyData]:
     """The repaired surface and its singular edges."""
     corners = [point for polygon in polygons for point in polygon]
     numbers = iter(range(len(corners)))
-    repair = kalos.vtkKalosSurfaceRepair()
+    repair = vtkKalosSurfaceRepair()
     repair.SetInputData(poly_data(corners, [[next(numbers) for _ in polygon] for polygon in polygons]))
-    edges = kalos.vtkKalosSingularEdges()
+    edges = vtkKalosSingularEdges()
     edges.SetInputConnection(repair.GetOutputPort())
     edges.Update()
     return repair.GetOutput(), edges.GetOutput()
 
 
-def curves_of(edges):
+def curves_of(edges: vtkPolyData) -> Iterator[tuple[NDArray[np.float64], bool, float]]:
     """Corners, whether it is a contact, and severity of each curve."""
     data = edges.GetCellData()
     for i in range(edges.GetNumberOfCells()):
         line = np.array(vtk_to_numpy(edges.GetCell(i).GetPoints().GetData()))  # the cell is overwritten by the next
-        contact = data.GetArray("EdgeClass").GetValue(i) == kalos.vtkKalosSingularEdges.CONTACT
+        contact = data.GetArray("EdgeClass").GetValue(i) == vtkKalosSingularEdges.CONTACT
         yield line, contact, data.GetArray("Severity").GetValue(i)
 
 
-def seen_triangles(surface):
+def seen_triangles(surface: vtkPolyData) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Triangles that show their front, far ones first, their normals, and whether they are of the room itself."""
     points = vtk_to_numpy(surface.GetPoints().GetData())
     triangles = points[vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
@@ -88,7 +94,7 @@ def seen_triangles(surface):
     return triangles[seen][order], normals[seen][order], outside[order]
 
 
-def hidden(points, triangles):
+def hidden(points: NDArray[np.float64], triangles: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Whether a triangle stands between a point and the viewer (Moeller and Trumbore)."""
     a, u, v = triangles[:, 0], triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
     p = np.cross(VIEWER, v)
@@ -98,26 +104,26 @@ def hidden(points, triangles):
     q = np.cross(offset, u)
     t = (q @ VIEWER) * inverse
     far = np.einsum("kij,ij->ki", q, v) * inverse
-    return ((s > 1e-9) & (t > 1e-9) & (s + t < 1 - 1e-9) & (far > 1e-3)).any(axis=1)
+    inside: NDArray[np.bool_] = (s > 1e-9) & (t > 1e-9) & (s + t < 1 - 1e-9) & (far > 1e-3)
+    return np.asarray(inside.any(axis=1))
 
 
-def facing_away(line):
+def facing_away(line: NDArray[np.float64]) -> bool:
     """Whether the line joins two walls that one looks through: those at x = 4, y = 0 and the ceiling."""
-    return ((np.abs(line[:, 0] - 4) < 1e-9).all().astype(int) + (np.abs(line[:, 1]) < 1e-9).all()
-            + (np.abs(line[:, 2] - 2.6) < 1e-9).all()) == 2
+    return sum(bool(np.all(np.abs(line[:, axis] - place) < 1e-9)) for axis, place in ((0, 4), (1, 0), (2, 2.6))) == 2
 
 
-def pieces(line, triangles):
+def pieces(line: NDArray[np.float64], triangles: NDArray[np.float64]) -> Iterator[tuple[NDArray[np.float64], bool]]:
     """The curve on paper, as pieces that are seen and pieces that are not."""
     count = max(1, int(np.linalg.norm(line[-1] - line[0]) / PIECE))
     steps = line[0] + np.linspace(0, 1, count + 1)[:, None] * (line[-1] - line[0])
     covered = hidden(0.5 * (steps[1:] + steps[:-1]) + 1e-3 * VIEWER, triangles)
     bounds = np.flatnonzero(np.diff(covered)) + 1
     for first, last in zip([0, *bounds], [*bounds, count]):
-        yield paper(steps[[first, last]], VIEWER), covered[first]
+        yield paper(steps[[first, last]], VIEWER), bool(covered[first])
 
 
-def draw(surface, edges, path):
+def draw(surface: vtkPolyData, edges: vtkPolyData, path: Path) -> dict[bool, list[float]]:
     triangles, normals, walls = seen_triangles(surface)
     figure = Figure(figsize=(8.4, 6.2), dpi=150)
     FigureCanvasAgg(figure)
@@ -129,12 +135,12 @@ def draw(surface, edges, path):
     found = {False: [0, 0.0], True: [0, 0.0]}
     for line, contact, severity in sorted(curves_of(edges), key=lambda curve: curve[2]):
         found[contact][0] += 1
-        found[contact][1] += np.linalg.norm(line[-1] - line[0])
+        found[contact][1] += float(np.linalg.norm(line[-1] - line[0]))
         colour = (CONTACTS if contact else EDGES)(norm(severity))
         near = facing_away(line)
         for ends, covered in pieces(line, triangles):
-            covered = covered or near
-            axes.plot(*ends.T, color=colour, linewidth=0.7 if covered else 2.2, alpha=0.6 if covered else 1,
+            thin = covered or near
+            axes.plot(*ends.T, color=colour, linewidth=0.7 if thin else 2.2, alpha=0.6 if thin else 1,
                       linestyle=(0, (3.2, 1.4)) if contact else "-", solid_capstyle="round", dash_capstyle="butt")
     axes.set_aspect("equal")
     axes.autoscale_view()
@@ -155,7 +161,7 @@ def draw(surface, edges, path):
     return found
 
 
-def main(folder):
+def main(folder: str | Path) -> None:
     Path(folder).mkdir(parents=True, exist_ok=True)
     found = draw(*prepare(furnished_room()), Path(folder) / "mesh-preparation.png")
     for contact, (count, length) in found.items():

@@ -7,6 +7,8 @@
 The first rank writes OUT/mpi-hall.png and OUT/mpi-hall.npz and prints a digest of the numbers: it is the same for every number of
 ranks, without mpiexec too. The call is the same as in one process; ranks.join() is all that MPI adds.
 """
+from __future__ import annotations
+
 import hashlib
 import sys
 from pathlib import Path
@@ -14,6 +16,8 @@ from pathlib import Path
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from kalos import ranks
 
@@ -25,7 +29,7 @@ LENGTH, WIDTH, HEIGHT = 30.0, 20.0, 7.0  # m
 COLUMNS, ROWS, TRAJECTORIES = 90, 60, 1600
 
 
-def hall():
+def hall() -> tuple[list[vtkPolyData], vtkPolyData]:
     """Three double rows of racks under five rows of panels."""
     shell = kalos.box((LENGTH / 2, WIDTH / 2, HEIGHT / 2), (LENGTH, WIDTH, HEIGHT), [0.25, 0.7, 0.5, 0.5, 0.5, 0.5], inwards=True)
     racks = [kalos.box((LENGTH / 2, y, 2.25), (22, 2.2, 4.5), 0.35) for y in (4.0, 10.0, 16.0)]
@@ -34,12 +38,12 @@ def hall():
     return [shell, *racks], panels
 
 
-def floor():
+def floor() -> NDArray[np.float64]:
     x, y = np.meshgrid((np.arange(COLUMNS) + 0.5) * LENGTH / COLUMNS, (np.arange(ROWS) + 0.5) * WIDTH / ROWS)
     return np.stack([x, y, np.full_like(x, 0.02)], axis=-1)
 
 
-def draw(path, lux):
+def draw(path: Path, lux: kalos.Illuminance) -> None:
     figure = Figure(figsize=(12, 3.9), dpi=110)
     FigureCanvasAgg(figure)
     x, y = lux.points[0, :, 0], lux.points[:, 0, 1]
@@ -49,7 +53,7 @@ def draw(path, lux):
                                        (0.555, "its relative standard error", error, "%")):
         axes = figure.add_axes((left, 0.13, 0.37, 0.77))
         scale = colour_scale(values)
-        shown = np.ma.masked_where(racks, values)
+        shown = np.where(racks, np.nan, values)
         axes.set_facecolor("0.85")
         axes.pcolormesh(x, y, shown, shading="nearest", cmap=scale.colours, norm=scale.norm)
         axes.set_aspect("equal")
@@ -61,7 +65,7 @@ def draw(path, lux):
     figure.savefig(path, metadata={"Software": None})
 
 
-def main(out):
+def main(out: str | Path) -> None:
     surfaces, panels = hall()
     lux = kalos.illuminance(surfaces, panels, floor(), (0, 0, 1), method="gathered", trajectories=TRAJECTORIES, progress=True)
     if joined.rank:

@@ -10,15 +10,20 @@ epsilon = 0.6 delta. Below: epsilon varies at the delta of the rule. The scenes:
 with and without its boxes, a tessellated sphere (all of it a shallow concave edge). The truth of the furnace is known, of
 the others it is an estimate by `compensated` with forty times the trajectories.
 """
+from __future__ import annotations
+
 import csv
 import re
 import sys
 from pathlib import Path
+from typing import Any, Dict, Iterator
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
+from numpy.typing import NDArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from kalos.core.options import REFERENCE_SEED, Options
 from kalos.errors import update
@@ -32,13 +37,14 @@ from kalos.validation import truths
 DATA = Path(__file__).resolve().parents[1] / "data"
 SCENES = {"furnace, boxes": "furnace/furnace.json", "Cornell room": "cornell/cornell.json",
           "Cornell room, empty": "cornell/cornell-empty.json", "sphere": "sphere/sphere-3.json"}
+Row = Dict[str, Any]
 NEAR, POINTS, TRAJECTORIES, SEEDS = 0.25, 400, 10000, (1, 2, 3)
 LENGTHS = (0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.25, 0.4, 0.7)
 COLOURS = {"sphere-exact": "#0b5d8f", "clamped": "#c2571a"}
 MARKS, SIZES = {"sphere-exact": "*", "clamped": "D"}, {"sphere-exact": 16, "clamped": 6}  # of the automatic choice
 
 
-def receivers_near_edges(faces):
+def receivers_near_edges(faces: NDArray[np.float64]) -> vtkPolyData:
     """Random points on the fronts of the faces, uniform by area, as vtkPolyData with normals; seed 1."""
     rng = np.random.default_rng(1)
     across = np.cross(faces[:, 1] - faces[:, 0], faces[:, 2] - faces[:, 0])
@@ -56,7 +62,7 @@ def receivers_near_edges(faces):
 class Study:
     """One scene, its receivers near edges and the truth there."""
 
-    def __init__(self, name, path):
+    def __init__(self, name: str, path: Path) -> None:
         self.name, self.reader = name, read_scene(path)
         self.receivers = receivers_near_edges(triangles(self.reader.GetOutputDataObject(0)))
         self.truth = self.solve(Options(trajectories=40 * TRAJECTORIES, seed=REFERENCE_SEED))[0]
@@ -67,7 +73,7 @@ class Study:
             self.valid = np.abs(self.truth / furnace - 1) < 0.2
             self.truth = np.full(len(self.truth), furnace)
 
-    def solve(self, options):
+    def solve(self, options: Options) -> tuple[NDArray[np.float64], str]:
         """Values and what the audit says about the kernel."""
         estimator = illuminance_filter(self.reader, options)
         estimator.SetInputDataObject(0, self.receivers)
@@ -76,7 +82,7 @@ class Study:
         kernel, = (entry["choice"] + " " + entry["reason"] for entry in audit(output) if entry["subject"] == "kernel")
         return from_dataset(self.name, output).illuminance, kernel
 
-    def error(self, **settings):
+    def error(self, **settings: Any) -> float:
         """Root mean square relative error over receivers and seeds."""
         squares = []
         for seed in SEEDS:
@@ -84,12 +90,12 @@ class Study:
             squares.append(np.mean((values[self.valid] / self.truth[self.valid] - 1) ** 2))
         return float(np.sqrt(np.mean(squares)))
 
-    def rows(self):
+    def rows(self) -> Iterator[Row]:
         """Dictionaries for the table: series, method, delta, epsilon, error."""
         rule = self.error(method="sphere-exact")
         epsilon, delta = map(float, re.findall(r"([0-9.]+) m\b", self.kernel)[:2])  # the audit says what was chosen
 
-        def row(series, method, delta, epsilon, error):
+        def row(series: str, method: str, delta: float | None, epsilon: float | None, error: float) -> Row:
             print(f"{self.name:<20} {series:<8} {method:<13} {delta or 0:8.3f} {epsilon or 0:8.3f} {100 * error:8.2f} %", flush=True)
             return dict(zip(FIELDS, (self.name, series, method, delta, epsilon, error)))
 
@@ -107,7 +113,7 @@ class Study:
 FIELDS = ("scene", "series", "method", "delta_m", "epsilon_m", "rms_near")
 
 
-def draw(path, rows):
+def draw(path: Path, rows: list[Row]) -> None:
     figure = Figure(figsize=(13, 6.6), dpi=150)
     FigureCanvasAgg(figure)
     grid = figure.subplots(2, len(SCENES), sharey="col", squeeze=False)
@@ -144,7 +150,7 @@ def draw(path, rows):
     figure.savefig(path, metadata={"Software": None})
 
 
-def main(out):
+def main(out: str | Path) -> None:
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
     rows = [row for name, path in SCENES.items() for row in Study(name, DATA / path).rows()]

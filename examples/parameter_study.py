@@ -8,6 +8,8 @@ writes OUT/room.json, the room at a lower resolution, and per method a folder wi
 for N trajectories, radius epsilon and distance delta, each with its error against a converged reference near edges and
 elsewhere. The last row is what needs no neighbourhood. Takes some minutes; `kalos study --table1` does the same for any scene.
 """
+from __future__ import annotations
+
 import json
 import sys
 from pathlib import Path
@@ -22,7 +24,7 @@ REFERENCE = 40000  # trajectories of the reference
 METHODS = "sphere-published", "sphere-exact"  # as the paper prints it, and with the exact weight
 
 
-def coarser_room(path):
+def coarser_room(path: Path) -> None:
     """The room with fewer pixels; its mesh is where it was."""
     scene = json.loads(ROOM.read_text(encoding="utf-8"))
     scene["cameras"][0]["resolution"] = [PIXELS, PIXELS]
@@ -32,13 +34,13 @@ def coarser_room(path):
     path.write_text(json.dumps(scene, indent=1), encoding="utf-8")
 
 
-def main(out):
+def main(out: str | Path) -> None:
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
     coarser_room(out / "room.json")
     for method in METHODS:
         result = study(out / "room.json", out / method, table1([], Options(method=method)), REFERENCE)
-        best = min(result["cells"], key=lambda cell: cell["rms_near"])
+        best = min(result["cells"], key=lambda cell: float(cell["rms_near"]))
         published, = (cell for cell in result["cells"]
                       if (cell["method"], cell["trajectories"], cell["delta_m"], cell["epsilon_m"]) == (method, 10000, 0.25, 0.15))
         print(f"{method}, N = 10000, delta = 0.25 m, epsilon = 0.15 m: error near edges {100 * published['rms_near']:.1f} %, bias there "

@@ -6,6 +6,8 @@
 On a machine without a screen put xvfb-run in front. In the ParaView window, load the plugin and run the script from
 Tools > Python Shell; the pipeline stays there to be clicked on.
 """
+from __future__ import annotations
+
 import argparse
 import glob
 import os
@@ -16,14 +18,14 @@ import paraview.simple as pv
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), ".."))
 
 
-def plugin_path():
+def plugin_path() -> str:
     found = glob.glob(os.path.join(ROOT, "build", "lib", "paraview-*", "plugins", "Kalos", "Kalos.so"))
     if not found:
         sys.exit("paraview_room.py: no Kalos.so below build/; build Kalos first or give --plugin")
     return found[0]
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description="Show the surfaces of the Cornell room in lux.")
     parser.add_argument("picture", nargs="?", default="paraview-room.png", help="PNG to write")
     parser.add_argument("--scene", default=os.path.join(ROOT, "data", "cornell", "cornell.json"))
@@ -37,7 +39,7 @@ def main():
     # points, the points would be.
     scene = pv.KalosSceneReader(FileName=options.scene)
     surfaces, luminaires = pv.OutputPort(scene, 0), pv.OutputPort(scene, 1)
-    triangles = pv.KalosSurfaceRemesh(Input=surfaces, EdgeLengthm=options.edge_length)
+    triangles = pv.KalosSurfaceRemesh(Input=surfaces, EdgeLength=options.edge_length)
     sides = pv.GenerateSurfaceNormals(Input=pv.OutputPort(triangles, 0), ComputeCellNormals=1, Splitting=0, Consistency=0)
     receivers = pv.PassArrays(Input=sides, CellDataArrays=["Normals"])
     lux = pv.KalosIlluminance(Receivers=receivers, Surfaces=surfaces, Luminaires=luminaires, Method="Gathered",

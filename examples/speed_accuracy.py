@@ -8,10 +8,13 @@ writes OUT/chart.csv, chart.json, chart.png and chart.svg, and prints the fastes
 part where KALOS_PEERS_PYTHON names a Python that has them. Times are processor seconds of one thread, errors are the root
 mean square over the receivers and four seeds, over the mean of a converged reference. `kalos chart` does this for any scene.
 """
+from __future__ import annotations
+
 import sys
 from pathlib import Path
+from typing import Any, Sequence
 
-from kalos.charts.chart import chart
+import kalos
 from kalos.charts.contenders import PEERS
 
 ROOM = Path(__file__).resolve().parents[1] / "data" / "cornell" / "cornell.json"
@@ -19,14 +22,15 @@ METHODS = ("compensated", "gathered", "local", "sphere-exact")
 BUDGET, REFERENCE = 60.0, 4_000_000  # s of processor time each; trajectories of the reference
 
 
-def fastest(result, goal):
+def fastest(result: dict[str, Any], goal: str) -> tuple[float, str] | None:
     """Name and time of the contender that reaches the goal first; nothing when none does."""
     times = [(one["seconds_to"][goal]["cpu_seconds"], one["label"]) for one in result["contenders"]]
     return min((time for time in times if time[0] is not None), default=None)
 
 
-def main(out, peers=tuple(PEERS)):
-    result = chart(ROOM, out, "desk", METHODS, peers, relative_to="mean", budget=BUDGET, reference=REFERENCE, say=print)
+def main(out: str | Path, peers: Sequence[str] = tuple(PEERS)) -> None:
+    result = kalos.chart(ROOM, out, receivers="desk", methods=METHODS, peers=peers, relative_to="mean", budget=BUDGET,
+                         reference_trajectories=REFERENCE, say=print)
     for goal in result["contenders"][0]["seconds_to"]:
         found = fastest(result, goal)
         print(f"{goal}: " + (f"{found[1]}, {found[0]:.3g} s" if found else "none"))

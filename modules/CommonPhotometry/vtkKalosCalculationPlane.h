@@ -10,13 +10,11 @@
  * Output: vtkPolyData of quads with points of OutputPointsPrecision and the active cell normals "Normals": U x V
  * normalised, or its opposite with Flip on (the quads are then wound the other way too).
  *
- * | property   | unit | default           | allowed                                                       |
- * |------------|------|-------------------|---------------------------------------------------------------|
- * | Origin     | m    | (0, 0, 0)         | finite                                                        |
- * | U, V       | m    | x and y unit      | finite, not parallel, not zero                                |
- * | Resolution | 1    | 64 x 64           | each at least 1, product at most MaximumNumberOfCells()       |
- * | Flip       |      | off               | on or off                                                     |
- * | OutputPointsPrecision | | DOUBLE_PRECISION | SINGLE_PRECISION or DOUBLE_PRECISION of vtkAlgorithm           |
+ * - Origin (m, default (0, 0, 0)): finite
+ * - U, V (m, default x and y unit): finite, not parallel, not zero
+ * - Resolution (default 64 x 64): each at least 1, product at most MaximumNumberOfCells()
+ * - Flip (default off): on or off
+ * - OutputPointsPrecision (default DOUBLE_PRECISION): SINGLE_PRECISION or DOUBLE_PRECISION of vtkAlgorithm
  *
  * Errors: a parallelogram without area, a value that is not finite, or a resolution out of range give an error event
  * and an empty output.

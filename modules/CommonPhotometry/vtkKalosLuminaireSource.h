@@ -7,17 +7,16 @@
  * Distribution, SideU, SideV and LuminaireNames. Several luminaires are appended with vtkAppendPolyData. A luminaire
  * has no body: nothing hits it, nothing is shadowed by it.
  *
- * | property        | unit | default      | allowed                                                              |
- * |-----------------|------|--------------|----------------------------------------------------------------------|
- * | Shape           |      | POINT        | POINT, RECTANGLE                                                     |
- * | Position        | m    | (0, 0, 0)    | finite; the point, or the centre of the rectangle                    |
- * | Aim             |      | (0, 0, -1)   | finite, not zero (any length); along +-(SideU x SideV) of a rectangle |
- * | RotationDegrees | deg  | 0            | finite                                                               |
- * | Flux            | lm   | 1000         | finite, at least 0                                                   |
- * | Distribution    |      | LAMBERTIAN   | ISOTROPIC, LAMBERTIAN, MEASURED; a rectangle is always Lambertian    |
- * | SideU, SideV    | m    | 0.6 m square | finite, not parallel, not zero; ignored for a point                  |
- * | OpeningAlongC0, OpeningAlongC90 | m | 0 | at least 0; sides of the luminous opening of a MEASURED point; 0: none |
- * | Name            |      | "luminaire"  | any                                                                  |
+ * - Shape (default POINT): POINT, RECTANGLE
+ * - Position (m, default (0, 0, 0)): finite; the point, or the centre of the rectangle
+ * - Aim (default (0, 0, -1)): finite, not zero (any length); along +-(SideU x SideV) of a rectangle
+ * - RotationDegrees (deg, default 0): finite
+ * - Flux (lm, default 1000): finite, at least 0
+ * - Distribution (default LAMBERTIAN): ISOTROPIC, LAMBERTIAN, MEASURED; a rectangle is always Lambertian
+ * - SideU, SideV (m, default 0.6 m square): finite, not parallel, not zero; ignored for a point
+ * - OpeningAlongC0, OpeningAlongC90 (m, default 0): at least 0; sides of the luminous opening of a MEASURED point; 0:
+ *   none
+ * - Name (default "luminaire"): any
  *
  * A Lambertian source sends I(theta) = Flux / pi cos(theta) [cd] into the half-space around Aim; an isotropic one
  * Flux / (4 pi) [cd] everywhere. A rectangle emits on one side only, that of Aim.

@@ -6,13 +6,11 @@
 
 #include "vtkCell.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkKalosArrayLengths.h"
 #include "vtkKalosArrayNames.h"
 #include "vtkMath.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -108,21 +106,6 @@ std::vector<double> Scaled(std::vector<double> values, double factor)
   return values;
 }
 }  // namespace
-
-std::vector<vtkDataSet*> LeavesOf(vtkDataObject* object)
-{
-  if (auto* dataSet = vtkDataSet::SafeDownCast(object))
-    return {dataSet};
-  std::vector<vtkDataSet*> leaves;
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(object))
-  {
-    auto iterator = vtk::TakeSmartPointer(blocks->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-      if (auto* dataSet = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
-        leaves.push_back(dataSet);
-  }
-  return leaves;
-}
 
 void AppendReceivers(vtkDataSet* dataSet, kalos::Receivers& receivers)
 {

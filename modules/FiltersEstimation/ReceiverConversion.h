@@ -8,11 +8,7 @@
 #include "estimator/control/Receivers.h"
 #include "estimator/control/Result.h"
 
-class vtkDataObject;
 class vtkDataSet;
-
-/// The data sets of a data object (itself, or the leaves of a vtkMultiBlockDataSet), in order.
-std::vector<vtkDataSet*> LeavesOf(vtkDataObject* object);
 
 /// Appends a data set's receivers: its points where it has point normals, else its cell centres where it has cell
 /// normals; with what their arrays EdgeDistance and EdgeAngle say. Throws std::invalid_argument when it has neither or

@@ -11,6 +11,7 @@
 #include "ConversionErrors.h"
 #include "LuminaireConversion.h"
 #include "SkyConversion.h"
+#include "SurfaceJoining.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -173,10 +174,10 @@ void AddSurfaces(vtkPolyData* surfaces, kalos::SceneDescription& scene)
 }
 }  // namespace
 
-kalos::SceneDescription MakeSceneDescription(vtkPolyData* surfaces, vtkPolyData* luminaires)
+kalos::SceneDescription MakeSceneDescription(vtkDataObject* surfaces, vtkPolyData* luminaires)
 {
   kalos::SceneDescription scene;
-  AddSurfaces(surfaces, scene);
+  AddSurfaces(JoinSurfaces(surfaces), scene);
   if (luminaires)
     AddLuminaires(luminaires, scene);
   scene.sky = MakeSky(luminaires);

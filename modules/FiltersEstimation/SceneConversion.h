@@ -5,10 +5,11 @@
 
 #include "scene/Scene.h"
 
+class vtkDataObject;
 class vtkPolyData;
 
-/// Polygons are triangulated; cell arrays become materials. `luminaires` may be null. Throws std::invalid_argument,
-/// naming the array and the cell or point, for missing arrays and values out of range.
-kalos::SceneDescription MakeSceneDescription(vtkPolyData* surfaces, vtkPolyData* luminaires);
+/// Surfaces are joined (SurfaceJoining.h) and triangulated; cell arrays become materials. `luminaires` may be null.
+/// Throws std::invalid_argument, naming the array and the cell or point, for missing arrays and values out of range.
+kalos::SceneDescription MakeSceneDescription(vtkDataObject* surfaces, vtkPolyData* luminaires);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "CheckpointFile.h"
 #include "SceneConversion.h"
+#include "SurfaceJoining.h"
 #include "estimator/control/Result.h"
 #include "estimator/control/Settings.h"
 #include "vtkDoubleArray.h"
@@ -61,10 +62,10 @@ std::unique_ptr<kalos::CheckpointStore> vtkKalosEstimatorAlgorithm::MakeCheckpoi
                                             [this](const std::string& why) { vtkWarningMacro(<< why); });
 }
 
-std::shared_ptr<const kalos::Scene> vtkKalosEstimatorAlgorithm::MakeScene(vtkPolyData* surfaces,
+std::shared_ptr<const kalos::Scene> vtkKalosEstimatorAlgorithm::MakeScene(vtkDataObject* surfaces,
                                                                           vtkPolyData* luminaires)
 {
-  const vtkMTimeType surfacesTime = surfaces->GetMTime(), luminairesTime = luminaires ? luminaires->GetMTime() : 0;
+  const vtkMTimeType surfacesTime = ModifiedTime(surfaces), luminairesTime = luminaires ? luminaires->GetMTime() : 0;
   if (this->Kept && this->Kept->Surfaces == surfacesTime && this->Kept->Luminaires == luminairesTime)
     return this->Kept->Scene;
   this->Kept = nullptr;

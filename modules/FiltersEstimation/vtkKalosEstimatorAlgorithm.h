@@ -25,6 +25,7 @@
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkKalosFiltersEstimationModule.h"  // for export macro
 
+class vtkDataObject;
 class vtkFieldData;
 class vtkMultiProcessController;
 class vtkPolyData;
@@ -260,7 +261,7 @@ protected:
   kalos::Settings MakeSettings(const kalos::Ranks& ranks, kalos::CheckpointStore* checkpoint) const;
 
   /// The kernels' scene of these inputs. Throws std::invalid_argument as MakeSceneDescription() does.
-  std::shared_ptr<const kalos::Scene> MakeScene(vtkPolyData* surfaces, vtkPolyData* luminaires);
+  std::shared_ptr<const kalos::Scene> MakeScene(vtkDataObject* surfaces, vtkPolyData* luminaires);
 
   /// Reports progress to VTK and returns false when the user aborts.
   bool ReportProgress(double fraction);

@@ -6,6 +6,7 @@
 
 #include "ErrorCodes.h"
 #include "SceneConversion.h"
+#include "SurfaceJoining.h"
 #include "estimator/quantities/GlareRating.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
@@ -26,6 +27,8 @@ vtkKalosGlareRating::vtkKalosGlareRating()
 
 int vtkKalosGlareRating::FillInputPortInformation(int port, vtkInformation* info)
 {
+  if (port == 1)
+    return AcceptAnyData(info);
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   if (port == 2)
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -112,7 +115,8 @@ int vtkKalosGlareRating::RequestData(vtkInformation*, vtkInformationVector** inp
   try
   {
     output->ShallowCopy(vtkPolyData::GetData(inputs[0]));
-    Rate(output, kalos::Scene(MakeSceneDescription(vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(inputs[2]))));
+    Rate(output,
+         kalos::Scene(MakeSceneDescription(vtkDataObject::GetData(inputs[1]), vtkPolyData::GetData(inputs[2]))));
   }
   catch (const std::exception& error)
   {

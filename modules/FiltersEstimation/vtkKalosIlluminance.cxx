@@ -13,12 +13,14 @@
 #include "ControllerRanks.h"
 #include "ErrorCodes.h"
 #include "ReceiverConversion.h"
+#include "SurfaceJoining.h"
 #include "estimator/quantities/DarkReceivers.h"
 #include "estimator/quantities/LostLuminaires.h"
 #include "estimator/solve/Replay.h"
 #include "estimator/solve/Solver.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
@@ -26,7 +28,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkKalosArrayNames.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -41,17 +42,10 @@ vtkKalosIlluminance::vtkKalosIlluminance()
 
 int vtkKalosIlluminance::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    // The composite type comes first: all blocks are solved together, not one by one.
-    info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-    return 1;
-  }
+  if (port < 2)
+    return AcceptAnyData(info);
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port == 2)
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
@@ -76,13 +70,13 @@ namespace
 vtkSmartPointer<vtkDataObject> CopyWithOwnLeaves(vtkDataObject* input)
 {
   auto copy = vtk::TakeSmartPointer(input->NewInstance());
-  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(input);
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(input);
   if (!blocks)
   {
     copy->ShallowCopy(input);
     return copy;
   }
-  auto* copiedBlocks = vtkMultiBlockDataSet::SafeDownCast(copy);
+  auto* copiedBlocks = vtkCompositeDataSet::SafeDownCast(copy);
   copiedBlocks->CopyStructure(blocks);
   auto iterator = vtk::TakeSmartPointer(blocks->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
@@ -131,7 +125,7 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
   try
   {
     vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
-    const auto scene = this->MakeScene(vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(inputs[2]));
+    const auto scene = this->MakeScene(vtkDataObject::GetData(inputs[1]), vtkPolyData::GetData(inputs[2]));
     kalos::Receivers receivers;
     for (vtkDataSet* leaf : LeavesOf(input))
       AppendReceivers(leaf, receivers);

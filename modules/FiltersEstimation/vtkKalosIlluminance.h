@@ -5,11 +5,12 @@
  *
  * Inputs
  * - port 0, receivers: a vtkDataSet with point normals (receivers are its points) or else cell normals (receivers are
- * its cell centres), or a vtkMultiBlockDataSet of such. All receivers share one set of trajectories.
+ * its cell centres), or any composite data set of such. All receivers share one set of trajectories.
  *   With the arrays EdgeDistance and EdgeAngle of vtkKalosSingularEdges the audit says how many of those that gather
  *   lie at singular edges.
  * - port 1, surfaces: vtkPolyData with the cell array Reflectance and optionally Exitance (lm/m²), Specular,
- *   Roughness and Mirror.
+ *   Roughness and Mirror; or any other data set, of which the outer faces count; or a composite data set of such,
+ *   whose blocks have these arrays for their cells or as field data of one tuple for all of them.
  * - port 2, luminaires (optional): vtkPolyData vertices with the point array LuminousFlux (lm) and optionally
  * Direction, Distribution, SideU and SideV.
  *

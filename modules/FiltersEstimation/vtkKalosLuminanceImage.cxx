@@ -7,6 +7,7 @@
 #include "CheckpointFile.h"
 #include "ControllerRanks.h"
 #include "ErrorCodes.h"
+#include "SurfaceJoining.h"
 #include "estimator/quantities/LuminanceImage.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
@@ -32,9 +33,10 @@ vtkKalosLuminanceImage::vtkKalosLuminanceImage()
 
 int vtkKalosLuminanceImage::FillInputPortInformation(int port, vtkInformation* info)
 {
+  if (port == 0)
+    return AcceptAnyData(info);
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port == 1)
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
@@ -94,7 +96,7 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
   this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
-    const auto scene = this->MakeScene(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]));
+    const auto scene = this->MakeScene(vtkDataObject::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]));
     const kalos::Camera camera{ToVec3(this->Position), ToVec3(this->Target), ToVec3(this->Up),
                                this->FieldOfView,      this->Resolution[0],  this->Resolution[1]};
     const ControllerRanks ranks(this->Controller);

@@ -5,11 +5,9 @@
  *
  * Input: vtkImageData, one slice, with the point arrays of vtkKalosArrayNames.h:
  *
- * | array                  | unit  | channels written                                                        |
- * |------------------------|-------|-------------------------------------------------------------------------|
- * | LuminanceBands, 3 comp | cd/m² | `R`, `G`, `B`, linear Rec. 709; 0.2126 R + 0.7152 G + 0.0722 B is cd/m² |
- * | Luminance              | cd/m² | `Y`, where there are no three bands                                     |
- * | LuminanceStandardError | cd/m² | `Y.standardError`, if the array is there                                |
+ * - LuminanceBands, 3 comp (cd/m²): `R`, `G`, `B`, linear Rec. 709; 0.2126 R + 0.7152 G + 0.0722 B is cd/m²
+ * - Luminance (cd/m²): `Y`, where there are no three bands
+ * - LuminanceStandardError (cd/m²): `Y.standardError`, if the array is there
  *
  * Header attributes: chromaticities of Rec. 709 and whiteLuminance = 1, as a pixel value of 1 is 1 cd/m²; software and
  * kalosSeed from the field data KalosVersion and Seed, if they are there. VTK's row 0

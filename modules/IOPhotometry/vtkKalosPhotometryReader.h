@@ -14,15 +14,13 @@
  *   left. Point array Intensity, cd.
  * - 3, vtkPolyData: the luminaire at its place, as vtkKalosLuminaireSource makes it, for the estimating filters.
  *
- * | property        | unit | default    | meaning                                                                 |
- * |-----------------|------|------------|-------------------------------------------------------------------------|
- * | FileName        |      |            | a file with a line TILT= is LM-63, any other is read as EULUMDAT        |
- * | LampSet         | 1    | 1          | which lamp set of an EULUMDAT file, from 1                              |
- * | Position        | m    | (0, 0, 0)  | of the photometric centre, which is the centre of the luminous opening  |
- * | Aim             |      | (0, 0, -1) | of the photometric axis                                                 |
- * | RotationDegrees | deg  | 0          | about Aim, see vtkKalosLuminaireSource                                  |
- * | Flux            | lm   | 0          | of the luminaire instead of what the file makes; 0 keeps the file's     |
- * | Name            |      | "luminaire"| in tables and pictures                                                  |
+ * - FileName: a file with a line TILT= is LM-63, any other is read as EULUMDAT
+ * - LampSet (default 1): which lamp set of an EULUMDAT file, from 1
+ * - Position (m, default (0, 0, 0)): of the photometric centre, which is the centre of the luminous opening
+ * - Aim (default (0, 0, -1)): of the photometric axis
+ * - RotationDegrees (deg, default 0): about Aim, see vtkKalosLuminaireSource
+ * - Flux (lm, default 0): of the luminaire instead of what the file makes; 0 keeps the file's
+ * - Name (default "luminaire"): in tables and pictures
  *
  * Intensity is bilinear in the two measured angles. All factors are applied: candela multiplier, ballast factors (the
  * field that LM-63-2019 turned into a remark apart), lamp flux per 1000 lm and conversion factor, tilt factor for the

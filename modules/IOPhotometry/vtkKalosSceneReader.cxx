@@ -121,7 +121,7 @@ Scene readScene(const std::string& path, double unit, const std::string& up)
   const nlohmann::json json = readJson(path, unit, up);
   const JsonCursor root(json, "scene");
   root.checkKeys({"kalos", "materials", "surfaces", "luminaires", "receivers", "cameras", "sky", "north_deg", "ground",
-                  "$schema"});
+                  "maintenance_factor", "$schema"});
   root.at("kalos").integer(1, 1);
   const std::string folder = std::filesystem::path(path).parent_path().string();
   SceneSurfaces surfaces = readSurfaces(root, readMaterials(root), folder);

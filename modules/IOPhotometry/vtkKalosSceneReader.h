@@ -14,8 +14,10 @@
  *   false.
  * - luminaires: name, flux (lm), aim, rotation_deg, and position with distribution (isotropic, lambertian) or rectangle
  *   {center, u, v}; or position, aim and a photometric file (.ies, .ldt), with lamp_set and flux if wanted
+ * - maintenance_factor, of the scene or of a luminaire: the share (0, 1] of its flux that is left; stands in SceneNotes
  * - receivers: name, and plane {origin, u, v, resolution or spacing "EN 12464-1", flip}, points (a CSV file), surface
- *   with edge_length and flip, or observer {position, target, up}
+ *   with edge_length and flip, or observer {position, target, up}; task {mean (lx), U0}, of an observer {UGR}, is what
+ *   is required of the set, checked here and judged by `kalos solve`
  * - cameras: name, position, target, up, fov_deg (vertical), resolution [width, height]
  *
  * A model as FileName is read as a scene file with nothing but the model in "surfaces". Without "receivers", a model

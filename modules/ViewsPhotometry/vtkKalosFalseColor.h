@@ -7,13 +7,11 @@
  * 3 components (sRGB) beside the coloured array, in point or cell data. Leaves of a composite share one range; leaves
  * without the array pass unchanged.
  *
- * | property       | default            | meaning |
- * |----------------|--------------------|------------------------------------------------------------------------------|
- * | ArrayName      | empty              | the array, 1 component; empty: Illuminance, else Luminance | | Scale | LINEAR
- * | LINEAR, LOGARITHMIC (base 10)                                                | | AutomaticRange | on | from the
- * smallest to the largest finite value; logarithmic: of positive ones, | |                |                    | and at
- * most 4 decades                                                        | | Range          | (0, 1000)          | in
- * the array's unit, where AutomaticRange is off; logarithmic: above 0       |
+ * - ArrayName (default empty): the array, 1 component; empty: Illuminance, else Luminance
+ * - Scale (default LINEAR): LINEAR, LOGARITHMIC (base 10)
+ * - AutomaticRange (default on): from the smallest to the largest finite value; logarithmic: of positive ones, and at
+ *   most 4 decades
+ * - Range (default (0, 1000)): in the array's unit, where AutomaticRange is off; logarithmic: above 0
  *
  * The table has 256 perceptually uniform colours from black-blue (low) over red to light yellow (high). Values beyond
  * the range take the colour of its nearer end; so does 0 on the logarithmic scale. NaN is grey (128, 128, 128).

@@ -2,6 +2,7 @@
 """The exceptions of Kalos, and the conversion of VTK's error events into them."""
 import re
 import sys
+from typing import Any
 
 from vtkmodules.vtkCommonCore import VTK_STRING
 from vtkmodules.vtkCommonMisc import vtkErrorCode
@@ -38,7 +39,7 @@ class Interrupted(KeyboardInterrupt):
         self.partial = partial
 
 
-def update(algorithm, request=None):
+def update(algorithm: Any, request: Any = None) -> None:
     """Brings a VTK algorithm up to date; its first error event becomes a KalosError."""
     messages = []
 

@@ -2,6 +2,7 @@
 """Pictures of photometric files: the polar curves that lighting people read, and the photometric solid."""
 import math
 import os
+from typing import Any, Union
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -20,7 +21,7 @@ LINES = (("C 0 - 180", "#0b5d8f", "-"), ("C 90 - 270", "#c2571a", "--"))
 GREY = "0.35"
 
 
-def read_photometry(path, lamp_set=1):
+def read_photometry(path: Union[str, "os.PathLike[str]"], lamp_set: int = 1) -> Any:
     """A vtkKalosPhotometryReader that has read the file; raises KalosError."""
     reader = vtkKalosPhotometryReader()
     reader.SetFileName(os.fspath(path))
@@ -29,7 +30,7 @@ def read_photometry(path, lamp_set=1):
     return reader
 
 
-def facts(reader):
+def facts(reader: Any) -> str:
     """One line: flux, largest intensity, opening."""
     sizes = [size for size in (reader.GetOpeningAlongC0(), reader.GetOpeningAlongC90()) if size > 0]
     if not sizes:
@@ -41,7 +42,7 @@ def facts(reader):
     return f"{number(reader.GetTableFlux())} lm, at most {number(reader.GetLargestIntensity())} cd, {opening}"
 
 
-def draw_photometry(path, reader):
+def draw_photometry(path: Any, reader: Any) -> None:
     """Both pictures side by side, as PNG."""
     figure = Figure(figsize=(10.5, 5.2), dpi=150)
     FigureCanvasAgg(figure)
@@ -52,7 +53,7 @@ def draw_photometry(path, reader):
     figure.savefig(path, format="png", metadata={"Software": None})
 
 
-def draw_polar(axes, reader):
+def draw_polar(axes: Any, reader: Any) -> None:
     """The polar curves: 0 deg is down, angles to both sides, circles in cd."""
     top = round_up(reader.GetLargestIntensity())
     curves = reader.GetOutputDataObject(2)

@@ -3,6 +3,7 @@
 import os
 import sys
 import time
+from typing import Any
 
 from kalos.errors import FAILED, KalosError
 
@@ -45,7 +46,7 @@ def several():
     return any(os.environ.get(name, "1") not in ("", "0", "1") for name in SIZES)
 
 
-def join():
+def join() -> Any:
     """Joins the processes of mpiexec, if there are several; returns what is `current` from now on."""
     global current
     if several() and current.size == 1:

@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -44,6 +45,17 @@ def test_ranks_and_threads_do_not_change_a_bit(scene, tmp_path):
         assert runs[count].stdout.count("audit\n") == 1  # the words of the first rank only
         audit = json.loads((tmp_path / str(count) / "summary.json").read_text())["audit"]
         assert [line["choice"] for line in audit if line["subject"] == "ranks"] == [f"{count} processes"]
+
+
+def test_script_for_clusters(scene, tmp_path):
+    """examples/slurm.sh with mpiexec for srun."""
+    script = Path(__file__).resolve().parents[2] / "examples" / "slurm.sh"
+    environment = os.environ | {"SRUN": " ".join([*MPIEXEC, "-n", "2"]), "SLURM_CPUS_PER_TASK": "1",
+                                "PATH": f"{Path(os.environ['KALOS']).parent}:{os.environ['PATH']}"}
+    run = subprocess.run([script, scene.save(), tmp_path / "out"], capture_output=True, text=True, timeout=240, check=False,
+                         env=environment)
+    assert run.returncode == 0, run.stderr
+    assert (tmp_path / "out" / "summary.json").is_file() and not (tmp_path / "out.checkpoint").exists()
 
 
 def test_bad_input_is_said_once(tmp_path):

@@ -36,7 +36,7 @@ def keys_of_the_reader():
     """Every list of keys that the reader of scenes accepts."""
     folder = ROOT / "modules" / "IOPhotometry"
     for path in folder.rglob("*.cxx"):
-        for found in re.findall(r"[cC]heckKeys\(\{(\"[^}]*)\}\)", path.read_text()):
+        for found in re.findall(r"[cC]heckKeys\(\s*\{(\"[^}]*)\}\)", path.read_text()):
             yield frozenset(re.findall(r'"([^"]+)"', found))
 
 

@@ -74,3 +74,58 @@ def test_grid_shape(rows, columns):
 def test_message(scene, command, tmp_path, value, message):
     status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", "--require", value)
     assert status == 2 and one_line(error) == message and not (tmp_path / "out").exists()
+
+
+def test_tasks_of_the_scene(scene, command, tmp_path):
+    """A receiver set, and an observer, may say what is required of them; --require has precedence."""
+    scene["receivers"][0]["task"] = {"mean": 10, "U0": 0.1}
+    scene["receivers"][1]["task"] = {"mean": 10}
+    scene["receivers"].append({"name": "seat", "observer": {"position": [1, 0.2, 1], "target": [1, 0.8, 1]}, "task": {"UGR": 90}})
+    status, out, error = command("solve", scene.save(), "--out", tmp_path / "out", "--trajectories", 640, "--report", "--require", "wall:100000")
+    assert status == 0, error
+    told = {one["receivers"]: one for one in json.loads((tmp_path / "out" / "summary.json").read_text())["tasks"]}
+    assert {name: one["result"] for name, one in told.items()} == {"desk": "pass", "seat": "pass", "wall": "fail"}
+    assert told["seat"]["required_UGR"] == 90 and "seat: UGR at most 90 required: pass" in out
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "<td class='n'>90</td>" in page and "none is applied, values are those of new luminaires" in page
+
+
+@pytest.mark.parametrize("ugr, error, expected", [(18.0, 0.1, "pass"), (20.0, 0.1, "fail"), (19.1, 0.1, "undecided"), (None, None, "pass")])
+def test_glare_is_an_upper_limit(ugr, error, expected):
+    assert Task("seat", glare=19).judge({"UGR": ugr, "UGR_standard_error": error})["result"] == expected
+
+
+@pytest.mark.parametrize("task, where", [({"mean": 0}, "task.mean: found 0; expected a number above 0"),
+                                         ({"mean": 5, "U0": 1.5}, "task.U0: found 1.5; expected a number above 0 and at most 1"),
+                                         ({"U0": 0.5}, 'task: the key "mean" is missing'), ({"mean": 5, "UGR": 19}, 'task: unknown key "UGR"')])
+def test_a_wrong_task(scene, command, tmp_path, task, where):
+    scene["receivers"][0]["task"] = task
+    status, _, error = command("solve", scene.save(), "--out", tmp_path / "out")
+    assert status == 2 and f"receivers.desk.{where}" in one_line(error)
+
+
+def test_maintenance_factor(scene, command, tmp_path):
+    """It scales the flux of all luminaires, or of one, and every output states it."""
+    def mean(**factors):
+        scene.update({key: value for key, value in factors.items() if key == "maintenance_factor"})
+        if "own" in factors:
+            scene["luminaires"][0]["maintenance_factor"] = factors["own"]
+        status, out, error = command("solve", scene.save(), "--out", tmp_path / "out", "--trajectories", 640, "--report")
+        assert status == 0, error
+        return json.loads((tmp_path / "out" / "summary.json").read_text())["receivers"]["desk"]["mean"], out
+
+    new, out = mean()
+    assert "maintenance factor" not in out
+    maintained, out = mean(maintenance_factor=0.8)
+    assert maintained == pytest.approx(0.8 * new, rel=1e-6) and re.search(r"maintenance factor +0.8 of the flux of 1 luminaires", out)
+    own, _ = mean(own=0.5)
+    assert own == pytest.approx(0.5 * new, rel=1e-6)
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "maintained flux, lm" in page and "0.5 of the flux of 1 luminaires" in page
+
+
+@pytest.mark.parametrize("factor", [0, 1.01, "0.8"])
+def test_a_wrong_maintenance_factor(scene, command, tmp_path, factor):
+    scene["maintenance_factor"] = factor
+    status, _, error = command("solve", scene.save(), "--out", tmp_path / "out")
+    assert status == 2 and "maintenance_factor: " in one_line(error)

@@ -41,7 +41,9 @@ def test_apt_accepts_it(package):
 def test_contents_work(package, tmp_path):
     output("dpkg-deb", "-x", package, tmp_path)
     places = {str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*")}
-    assert {"usr/bin/kalos", "usr/lib/python3/dist-packages/kalos/__init__.py", "usr/share/kalos/data/cornell/cornell.json"} <= places
+    assert {"usr/bin/kalos", "usr/lib/python3/dist-packages/kalos/__init__.py", "usr/share/kalos/data/cornell/cornell.json",
+            "usr/share/applications/kalos-edge-studio.desktop", "usr/share/mime/packages/kalos.xml", "usr/share/man/man1/kalos.1",
+            "usr/share/icons/hicolor/scalable/apps/kalos.svg", "usr/share/kalos/examples/first_light.py"} <= places
     assert not [place for place in places if place.endswith((".a", ".pyc"))]
     clean = {key: value for key, value in os.environ.items() if key not in ("PYTHONPATH", "KALOS")}
     assert output(tmp_path / "usr" / "bin" / "kalos", "--version", env=clean, cwd="/") == f"kalos {VERSION}\n"

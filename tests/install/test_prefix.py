@@ -13,6 +13,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ["KALOS_BUILD"])
 VERSION, = re.findall(r"^project\(Kalos VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)
+WITHOUT_QT = not (BUILD / "bin" / "edge-studio").is_file()
 SCENE = ROOT / "data" / "cornell" / "cornell-empty.json"
 
 
@@ -49,6 +50,60 @@ def test_command_on_the_path(prefix, tmp_path):
     solved = run("kalos", "solve", SCENE, "--out", tmp_path / "out", "--trajectories", 64, PATH=path)
     assert solved.returncode == 0, solved.stderr
     assert json.loads((tmp_path / "out" / "summary.json").read_text())["receivers"]
+
+
+def test_every_program_runs(prefix):
+    """From a prefix that was moved, and without the libraries of the build."""
+    programs = sorted(path.name for path in (Path(prefix) / "bin").iterdir())
+    assert "kalos" in programs and (WITHOUT_QT or "edge-studio" in programs)
+    for program in programs:
+        path = f"{prefix}/bin:{os.environ['PATH']}"
+        told = run(program, "--version", PATH=path)
+        assert told.returncode == 0 and VERSION in told.stdout, (program, told.stderr)
+        assert run(program, "--help", PATH=path).returncode == 0
+        assert "not found" not in run("ldd", prefix / "bin" / program).stdout
+
+
+@pytest.mark.skipif(WITHOUT_QT, reason="built without Edge Studio")
+def test_edge_studio_opens(prefix):
+    """Its window stays until it is told to go."""
+    opened = run(ROOT / "tests" / "with_screen", "timeout", "4", prefix / "bin" / "edge-studio", SCENE)
+    assert opened.returncode == 124, opened.stderr
+
+
+def test_desktop(prefix):
+    share = prefix / "share"
+    if WITHOUT_QT:
+        pytest.skip("built without Edge Studio")
+    assert (share / "icons" / "hicolor" / "scalable" / "apps" / "kalos.svg").is_file()
+    assert "*.kalos.json" in (share / "mime" / "packages" / "kalos.xml").read_text()
+    entry = share / "applications" / "kalos-edge-studio.desktop"
+    if shutil.which("desktop-file-validate"):
+        checked = run("desktop-file-validate", entry)
+        assert checked.stdout + checked.stderr == ""
+    if shutil.which("help2man"):
+        assert "edge" in (share / "man" / "man1" / "edge-studio.1").read_text().lower()
+
+
+def test_libraries_have_a_version(prefix):
+    """Two versions can be installed beside each other."""
+    library = next(prefix.rglob("libvtkKalosFiltersEstimation.so"))
+    soname = re.search(r"SONAME.*\[(\S+)\]", run("readelf", "-d", library).stdout)[1]
+    assert soname == "libvtkKalosFiltersEstimation.so." + ".".join(VERSION.split(".")[:2]) and library.with_name(soname).exists()
+
+
+@pytest.mark.parametrize("component, found", [("CommonPhotometry FiltersEstimation", True), ("Illumination", False)])
+def test_components(prefix, tmp_path, component, found):
+    (tmp_path / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.22)\nproject(Components LANGUAGES C CXX)\n"
+        f"find_package(Kalos REQUIRED COMPONENTS {component})\nmessage(STATUS \"has ${{Kalos_LIBRARIES}}\")\n")
+    made = run("cmake", "-G", "Ninja", "-S", tmp_path, "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+    assert (made.returncode == 0) == found
+    if found:
+        assert "has Kalos::CommonPhotometry;Kalos::FiltersEstimation\n" in made.stdout
+    else:
+        words = " ".join(made.stderr.split())
+        assert "there is no component Illumination; expected some of" in words and "FiltersEstimation" in words
 
 
 def test_command_through_a_link(prefix, tmp_path):

@@ -12,6 +12,6 @@ if failing and what == "script":
     raise ZeroDivisionError("by hand")
 here = "/nowhere" if failing else f"{source}/data/cornell"
 scene = pv.KalosSceneReader(FileName=f"{here}/cornell-empty.json")
-plane = pv.KalosCalculationPlane(Originm=[0, 0, 0.75], Um=[5, 0, 0], Vm=[0, 5, 0], Resolution=[6, 5])
+plane = pv.KalosCalculationPlane(Origin=[0, 0, 0.75], U=[5, 0, 0], V=[0, 5, 0], Resolution=[6, 5])
 lux = pv.KalosIlluminance(Receivers=plane, Surfaces=pv.OutputPort(scene, 0), Luminaires=pv.OutputPort(scene, 1), Trajectories=320)
 lux.UpdatePipeline()

@@ -17,10 +17,10 @@ if port:
     pv.LoadPlugin(plugin, remote=True, ns=pv.__dict__)
 pv.LoadPlugin(plugin, remote=False, ns=pv.__dict__)
 scene = pv.KalosSceneReader(FileName=f"{source}/data/cornell/cornell-empty.json")
-plane = pv.KalosCalculationPlane(Originm=[0, 0, 0.75], Um=[5, 0, 0], Vm=[0, 5, 0], Resolution=[6, 5])
+plane = pv.KalosCalculationPlane(Origin=[0, 0, 0.75], U=[5, 0, 0], V=[0, 5, 0], Resolution=[6, 5])
 ports = {"Surfaces": pv.OutputPort(scene, 0), "Luminaires": pv.OutputPort(scene, 1)}
 lux = pv.KalosIlluminance(Receivers=plane, Trajectories=320, Threads=1, **ports)
-view = pv.KalosLuminanceImage(Trajectories=320, Threads=1, Resolution=[9, 8], Positionm=[2.5, -6, 2.5], Targetm=[2.5, 2.5, 2.5],
+view = pv.KalosLuminanceImage(Trajectories=320, Threads=1, Resolution=[9, 8], Position=[2.5, -6, 2.5], Target=[2.5, 2.5, 2.5],
                               **ports)
 lux.UpdatePipeline()
 view.UpdatePipeline()

@@ -26,3 +26,25 @@ white = (pixels == 255).all(axis=1).mean()
 assert len(colors) > 50, f"{len(colors)} colours: the room has not been drawn"
 assert 0.1 < white < 0.7, f"{white:.0%} of the picture is background"
 print(f"{len(colors)} colours, {white:.0%} background")
+
+# The macro: an image looks from where the view looks, and lux has its colours.
+import paraview.simple as pv  # noqa: E402
+
+scene = pv.OpenDataFile(os.path.join(source, "data", "cornell", "cornell-empty.json"))
+image = pv.KalosLuminanceImage(Surfaces=pv.OutputPort(scene, 0), Luminaires=pv.OutputPort(scene, 1), Trajectories=64, Resolution=[8, 6])
+view = pv.CreateView("RenderView", ViewSize=[400, 200], CameraPosition=[2.5, -6, 2.5], CameraFocalPoint=[2.5, 2.5, 2], CameraViewAngle=40)
+pv.SetActiveView(view)
+pv.SetActiveSource(image)
+os.environ["KALOS_PRESETS"] = os.path.join(source, "apps", "paraview", "kalos-presets.json")
+runpy.run_path(os.path.join(source, "apps", "paraview", "macros", "kalos_image_from_view.py"))
+assert list(image.Position) == [2.5, -6, 2.5] and list(image.Target) == [2.5, 2.5, 2] and image.FieldOfView == 40
+assert list(image.Resolution) == [12, 6], image.Resolution
+colors = pv.GetColorTransferFunction("Illuminance").RGBPoints
+assert len(colors) > 100 and list(colors[1:4]) == [0.011765, 0.003922, 0.192157], colors[:4]
+pv.SetActiveSource(scene)
+try:
+    runpy.run_path(os.path.join(source, "apps", "paraview", "macros", "kalos_image_from_view.py"))
+except RuntimeError as error:
+    assert "no Kalos Luminance Image" in str(error)
+else:
+    raise AssertionError("the macro took a source that is no image")

@@ -71,6 +71,36 @@ class Plugin(unittest.TestCase):
                 self.assertEqual(getattr(proxy.GetClientSideObject(), get)() or None, getattr(untouched, get)() or None,
                                  f"{stem}.{name}")
 
+    def test_python_names_have_no_units(self):
+        """ParaView makes them of labels, so that headings of the panel tell the units."""
+        lamp = pv.KalosLuminaire(Flux=500, Position=[1, 1, 2], Rotation=90)
+        self.assertEqual((lamp.Flux, list(lamp.Position), lamp.Rotation), (500, [1, 1, 2], 90))
+        lamp.Flux = 700
+        lamp.UpdatePipeline()
+        self.assertEqual(lamp.GetClientSideObject().GetFlux(), 700)
+        self.assertIsNotNone(pv.GetAnimationTrack("Flux", proxy=lamp))
+        for stem in STEMS:
+            properties = new_proxy(stem).NewPropertyIterator()
+            while not properties.IsAtEnd():
+                self.assertNotRegex(properties.GetPropertyLabel(), r"\(", stem)
+                properties.Next()
+
+    def test_loading_it_again_is_no_error(self):
+        pv.LoadPlugin(PLUGIN, remote=False, ns=pv.__dict__)
+
+    def test_blocks_are_surfaces(self):
+        """A group of surfaces, each with its reflectance, lights the plane as the scene's one surface does."""
+        scene = pv.OpenDataFile(os.path.join(SOURCE, "data", "cornell", "cornell-empty.json"))
+        surfaces, luminaires = (pv.OutputPort(scene, i) for i in range(2))
+        plane = pv.KalosCalculationPlane(Origin=[0, 0, 0.75], U=[5, 0, 0], V=[0, 5, 0], Resolution=[4, 4])
+        group = pv.GroupDatasets(Input=[surfaces])
+        ranges = []
+        for source in (surfaces, group):
+            lux = pv.KalosIlluminance(Receivers=plane, Surfaces=source, Luminaires=luminaires, Trajectories=320)
+            lux.UpdatePipeline()
+            ranges.append(lux.CellData["Illuminance"].GetRange())
+        self.assertEqual(ranges[0], ranges[1])
+
     def test_all_are_in_the_menu_category(self):
         for stem, group in STEMS.items():
             with open(os.path.join(XMLS, stem + ".xml"), encoding="utf-8") as file:
@@ -84,7 +114,7 @@ class Plugin(unittest.TestCase):
 
     def test_line_over_a_plane_at_any_height_is_full(self):
         for height in (0, 0.001, 0.75, 0.8):
-            plane = pv.KalosCalculationPlane(Originm=[0, 0, height], Um=[5, 0, 0], Vm=[0, 4, 0])
+            plane = pv.KalosCalculationPlane(Origin=[0, 0, height], U=[5, 0, 0], V=[0, 4, 0])
             plane.UpdatePipeline()
             line = pv.PlotOverLine(Input=plane, Point1=[0, 0, height], Point2=[5, 4, height], Resolution=100)
             line.UpdatePipeline()
@@ -114,7 +144,7 @@ class Plugin(unittest.TestCase):
         colors.UpdatePipeline()
         self.assertIn("FalseColor", colors.CellData.keys())
         view = pv.KalosLuminanceImage(Surfaces=surfaces, Luminaires=luminaires, Trajectories=64, Resolution=[8, 6],
-                                      Positionm=[2.5, -6, 2.5], Targetm=[2.5, 2.5, 2.5])
+                                      Position=[2.5, -6, 2.5], Target=[2.5, 2.5, 2.5])
         view.UpdatePipeline()
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "front.exr")

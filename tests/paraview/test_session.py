@@ -22,7 +22,7 @@ pv.LoadPlugin(PLUGIN, remote=False, ns=pv.__dict__)
 
 def pipeline():
     scene = pv.OpenDataFile(os.path.join(SOURCE, "data", "cornell", "cornell-empty.json"))
-    plane = pv.KalosCalculationPlane(Originm=[0, 0, 0.75], Um=[5, 0, 0], Vm=[0, 5, 0], Resolution=[6, 5])
+    plane = pv.KalosCalculationPlane(Origin=[0, 0, 0.75], U=[5, 0, 0], V=[0, 5, 0], Resolution=[6, 5])
     lux = pv.KalosIlluminance(registrationName="lux", Receivers=plane, Surfaces=pv.OutputPort(scene, 0),
                               Luminaires=pv.OutputPort(scene, 1), Trajectories=320, Seed=7, Method="Local estimation")
     lux.UpdatePipeline()

@@ -25,7 +25,7 @@ from paraview import smtrace
 smtrace.start_trace()
 pv.LoadPlugin({plugin!r}, remote=False, ns=pv.__dict__)
 scene = pv.OpenDataFile({scene!r})
-plane = pv.KalosCalculationPlane(registrationName="plane", Originm=[0, 0, 0.75], Um=[5, 0, 0], Vm=[0, 5, 0], Resolution=[24, 24])
+plane = pv.KalosCalculationPlane(registrationName="plane", Origin=[0, 0, 0.75], U=[5, 0, 0], V=[0, 5, 0], Resolution=[24, 24])
 lux = pv.KalosIlluminance(registrationName="lux", Receivers=plane, Surfaces=pv.OutputPort(scene, 0),
                           Luminaires=pv.OutputPort(scene, 1), Trajectories=320, Seed=7, Method="Compensated")
 view = pv.GetActiveViewOrCreate("RenderView")

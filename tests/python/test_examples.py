@@ -94,6 +94,15 @@ def test_luminaire(example, tmp_path, capsys):
     assert colours(tmp_path / "luminaire.png") > 200
 
 
+def test_edge_spikes(example, tmp_path, capsys):
+    """Plain local estimation is far brighter in places than final gathering, and as bright in the mean."""
+    example("edge_spikes", PIXELS=(60, 44), TRAJECTORIES={"local": 512, "gathered": 4096}).main(tmp_path)
+    found = {line.split(":")[0]: [float(word) for word in line.split() if word.replace(".", "").isdigit()]
+             for line in capsys.readouterr().out.splitlines()}
+    assert 0.8 < found["local"][0] / found["gathered"][0] < 1.25 and found["local"][1] > 1.5 * found["gathered"][1]
+    assert colours(tmp_path / "edge-spikes.png") > 100
+
+
 @pytest.mark.skipif(not shutil.which("mpiexec"), reason="no mpiexec here")
 def test_mpi_hall(tmp_path):
     """The same digest from one process and from three."""
@@ -112,6 +121,6 @@ def test_mpi_hall(tmp_path):
     assert said[0].split("digest ")[1] == said[1].split("digest ")[1]
 
 
-@pytest.mark.parametrize("name", ["first-light", "edge-profile", "luminaire", "mpi-hall", "parameter-study", "paraview-room"])
+@pytest.mark.parametrize("name", ["edge-spikes", "first-light", "edge-profile", "luminaire", "mpi-hall", "parameter-study", "paraview-room"])
 def test_pictures_of_the_documentation_are_small(name):
-    assert (ROOT / "docs" / f"{name}.png").stat().st_size < 200_000
+    assert (ROOT / "docs" / "pictures" / f"{name}.png").stat().st_size < 200_000

@@ -119,6 +119,16 @@ double JsonCursor::fraction() const
   return number;
 }
 
+double JsonCursor::share() const
+{
+  const double number = this->number();
+  if (!(number > 0.0 && number <= 1.0))
+  {
+    this->failExpected("a number above 0 and at most 1");
+  }
+  return number;
+}
+
 int JsonCursor::integer(int minimum, int maximum) const
 {
   const std::string expected = "a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum);

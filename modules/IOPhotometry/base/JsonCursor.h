@@ -46,6 +46,8 @@ public:
   double numberAtLeast(double minimum) const;
   /** A reflectance-like number in [0, 1). */
   double fraction() const;
+  /** A share of a whole, in (0, 1]. */
+  double share() const;
   int integer(int minimum, int maximum) const;
   bool boolean() const;
   std::string string() const;

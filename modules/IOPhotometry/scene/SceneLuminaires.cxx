@@ -2,7 +2,10 @@
 #include "SceneLuminaires.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -79,7 +82,7 @@ void addWarning(vtkStringArray* warnings, const std::string& code, const std::st
 vtkSmartPointer<vtkPolyData> readMeasured(const JsonCursor& node, const std::string& folder,
                                           std::set<std::string>& told, vtkStringArray* warnings, Notes& notes)
 {
-  node.checkKeys({"name", "position", "aim", "rotation_deg", "flux", "file", "lamp_set"});
+  node.checkKeys({"name", "position", "aim", "rotation_deg", "flux", "file", "lamp_set", "maintenance_factor"});
   const std::string path = resolvePath(folder, node.at("file").string(), notes);
   vtkNew<vtkKalosPhotometryReader> reader;
   reader->SetFileName(path.c_str());
@@ -116,7 +119,8 @@ vtkSmartPointer<vtkPolyData> readMeasured(const JsonCursor& node, const std::str
 
 vtkSmartPointer<vtkPolyData> readLuminaire(const JsonCursor& node)
 {
-  node.checkKeys({"name", "position", "rectangle", "aim", "rotation_deg", "flux", "distribution", "file", "lamp_set"});
+  node.checkKeys({"name", "position", "rectangle", "aim", "rotation_deg", "flux", "distribution", "file", "lamp_set",
+                  "maintenance_factor"});
   if (node.has("position") == node.has("rectangle"))
   {
     node.fail("expected either \"position\" or \"rectangle\"");
@@ -186,6 +190,46 @@ private:
   std::vector<vtkSmartPointer<vtkDoubleArray>> All;
 };
 
+/** How much of the flux of new luminaires is left: of the scene, or of a luminaire of its own. */
+class Maintenance
+{
+public:
+  explicit Maintenance(const JsonCursor& scene) : Usual(factorOf(scene).value_or(1.0)) {}
+
+  void apply(const std::optional<double>& own, vtkPolyData* luminaire)
+  {
+    const double factor = own.value_or(this->Usual);
+    vtkDataArray* flux = luminaire->GetPointData()->GetArray(vtkKalosArrayNames::LuminousFlux);
+    flux->SetTuple1(0, factor * flux->GetTuple1(0));
+    ++this->Luminaires[factor];
+  }
+
+  static std::optional<double> factorOf(const JsonCursor& node)
+  {
+    const auto factor = node.find("maintenance_factor");
+    return factor ? std::optional<double>(factor->share()) : std::nullopt;
+  }
+
+  /** A note where any factor is not 1. */
+  void tell(Notes& notes) const
+  {
+    std::ostringstream choice;
+    for (const auto& [factor, count] : this->Luminaires)
+    {
+      choice << (choice.tellp() > 0 ? ", " : "") << factor << " of the flux of " << count;
+    }
+    if (this->Luminaires.size() > 1 || (!this->Luminaires.empty() && this->Luminaires.begin()->first != 1.0))
+    {
+      notes.push_back({"maintenance factor", choice.str() + " luminaires",
+                       "every value is maintained; emission of surfaces is taken as it is given"});
+    }
+  }
+
+private:
+  double Usual;
+  std::map<double, int> Luminaires;
+};
+
 /** Add one luminaire to all. */
 void append(vtkPolyData* all, vtkPolyData* one, Tables& tables)
 {
@@ -224,6 +268,7 @@ vtkSmartPointer<vtkPolyData> readLuminaires(const JsonCursor& scene, const std::
   warnings->SetNumberOfComponents(3);
   all->GetFieldData()->AddArray(warnings);
   Tables tables(all);
+  Maintenance maintenance(scene);
   const auto section = scene.find("luminaires");
   for (const JsonCursor& node : section ? section->items() : std::vector<JsonCursor>())
   {
@@ -232,6 +277,7 @@ vtkSmartPointer<vtkPolyData> readLuminaires(const JsonCursor& scene, const std::
     {
       node.fail("another luminaire has this name; expected a name of its own");
     }
+    maintenance.apply(Maintenance::factorOf(node), one);
     append(all, one, tables);
   }
   const std::set<std::string> own = names;
@@ -240,9 +286,12 @@ vtkSmartPointer<vtkPolyData> readLuminaires(const JsonCursor& scene, const std::
     if (own.count(light.name) == 0)
     {
       light.name = freeName(light.name, "light", names);
-      append(all, makeModelLuminaire(light, lit), tables);
+      const auto one = makeModelLuminaire(light, lit);
+      maintenance.apply({}, one);
+      append(all, one, tables);
     }
   }
+  maintenance.tell(notes);
   return all;
 }
 }  // namespace kalos::scene

@@ -54,7 +54,7 @@ std::array<int, 2> readGrid(const JsonCursor& plane)
 
 vtkSmartPointer<vtkPolyData> readPlane(const JsonCursor& receiver, std::int64_t most)
 {
-  receiver.checkKeys({"name", "plane", "flip"});
+  receiver.checkKeys({"name", "plane", "flip", "task"});
   const JsonCursor node = receiver.at("plane");
   node.checkKeys({"origin", "u", "v", "resolution", "spacing", "flip"});
   if (node.has("flip") && receiver.has("flip"))
@@ -84,7 +84,7 @@ vtkSmartPointer<vtkPolyData> readPlane(const JsonCursor& receiver, std::int64_t 
 vtkSmartPointer<vtkPolyData> readSurface(const JsonCursor& receiver, const std::vector<Surface>& surfaces,
                                          std::int64_t most)
 {
-  receiver.checkKeys({"name", "surface", "edge_length", "flip"});
+  receiver.checkKeys({"name", "surface", "edge_length", "flip", "task"});
   const JsonCursor node = receiver.at("surface");
   const std::string name = node.string();
   const auto found = std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& s) { return s.name == name; });
@@ -106,7 +106,7 @@ vtkSmartPointer<vtkPolyData> readSurface(const JsonCursor& receiver, const std::
 /** An observer: a point whose normal is the line of sight. */
 vtkSmartPointer<vtkPolyData> readObserver(const JsonCursor& receiver)
 {
-  receiver.checkKeys({"name", "observer"});
+  receiver.checkKeys({"name", "observer", "task"});
   const JsonCursor node = receiver.at("observer");
   node.checkKeys({"position", "target", "up"});
   const Sight sight = readSight(node);
@@ -130,6 +130,23 @@ vtkSmartPointer<vtkPolyData> readObserver(const JsonCursor& receiver)
   return observer;
 }
 
+/** Required values, which whoever judges results reads again: an observer's glare, else mean and uniformity. */
+void checkTask(const JsonCursor& task, bool ofObserver)
+{
+  if (ofObserver)
+  {
+    task.checkKeys({"UGR"});
+    task.at("UGR").numberAbove(0.0);
+    return;
+  }
+  task.checkKeys({"mean", "U0"});
+  task.at("mean").numberAbove(0.0);
+  if (const auto uniformity = task.find("U0"))
+  {
+    uniformity->share();
+  }
+}
+
 vtkSmartPointer<vtkPolyData> readReceiver(const JsonCursor& node, const std::vector<Surface>& surfaces,
                                           const std::string& folder, std::int64_t most, Notes& notes)
 {
@@ -139,6 +156,10 @@ vtkSmartPointer<vtkPolyData> readReceiver(const JsonCursor& node, const std::vec
   {
     node.fail(std::to_string(kinds) +
               " kinds of receiver; expected one of \"plane\", \"points\", \"surface\" and \"observer\"");
+  }
+  if (const auto task = node.find("task"))
+  {
+    checkTask(*task, node.has("observer"));
   }
   if (node.has("plane"))
   {
@@ -152,7 +173,7 @@ vtkSmartPointer<vtkPolyData> readReceiver(const JsonCursor& node, const std::vec
   {
     return readObserver(node);
   }
-  node.checkKeys({"name", "points"});
+  node.checkKeys({"name", "points", "task"});
   const JsonCursor points = node.at("points");
   return readProbeFile(points, resolvePath(folder, points.string(), notes), most);
 }

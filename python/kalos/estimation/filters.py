@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The filters that estimate a scene that a vtkKalosSceneReader has read."""
+from typing import Any
+
 from kalos.vtk import vtkKalosIlluminance, vtkKalosLuminanceImage
 
 
-def illuminance_filter(reader, options):
+def illuminance_filter(reader: Any, options: Any) -> Any:
     """The filter that estimates all receiver sets of the scene."""
     estimator = vtkKalosIlluminance()
     estimator.TellWarningsOff()  # who asks reads them in the audit

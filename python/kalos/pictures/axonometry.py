@@ -3,13 +3,15 @@
 
 The normals of a room point inwards, so one looks into it through the walls nearest to the viewer.
 """
+from typing import Any
+
 import numpy as np
 from matplotlib.collections import PolyCollection
 
 TO_VIEWER = np.array([0.42, -0.76, 0.50])  # from the right, the front and above
 
 
-def paper(points, to_viewer):
+def paper(points: Any, to_viewer: Any) -> Any:
     """Coordinates on paper, z up."""
     right = np.cross([0, 0, 1], to_viewer)
     right = right / np.linalg.norm(right)

@@ -2,13 +2,14 @@
 """The colour scale of a picture: by default from 0 to a round number, in the colours of vtkKalosFalseColor."""
 import math
 from dataclasses import dataclass
+from typing import Any, Optional, Tuple
 
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Colormap, LogNorm, Normalize
 
 from kalos.pictures.colours import colour_map
-from kalos.pictures.look import LOOK
+from kalos.pictures.look import LOOK, Look
 
 ROUND = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10)
 
@@ -23,7 +24,7 @@ class Scale:
     cut: str  # at which ends values lie outside: neither, min, max or both, as Matplotlib has it
 
 
-def colour_scale(values, ends=None, look=LOOK):
+def colour_scale(values: Any, ends: Optional[Tuple[float, float]] = None, look: Look = LOOK) -> Scale:
     """Between the `ends`, or from 0 (DECADES below, if logarithmic) to the largest value; to the 99th percentile where a few spikes
     would darken all else. Masked values do not count."""
     values = np.ma.compressed(values)
@@ -53,7 +54,7 @@ def round_up(value):
 CUT = {"neither": "", "min": " (arrow: below the scale)", "max": " (arrow: above the scale)", "both": " (arrows: beyond the scale)"}
 
 
-def colour_bar(axes, scale, label):
+def colour_bar(axes: Any, scale: Scale, label: str) -> None:
     """The legend, as high as the picture, with an arrow where values are cut off."""
     beside = axes.inset_axes([1.03, 0, 0.04, 1])
     mappable = ScalarMappable(norm=scale.norm, cmap=scale.colours)

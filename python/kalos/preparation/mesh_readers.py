@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Mesh files in whatever state, as vtkPolyData to repair: by the readers of scenes, which pass over more here."""
+from typing import Any
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -19,7 +21,7 @@ def read_mesh(path):
     return reader.GetOutput()
 
 
-def poly_data(points, polygons):
+def poly_data(points: Any, polygons: Any) -> vtkPolyData:
     """Polygons as lists of point numbers."""
     mesh = vtkPolyData()
     corners = vtkPoints()

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`kalos solve --report`: one self-contained HTML page to read, to print and to hand on."""
 import io
-import json
 import time
 from html import escape
 from pathlib import Path
@@ -19,7 +18,7 @@ from kalos.report.grid import grid_section
 from kalos.report.html import embedded, table
 from kalos.report.surfaces import surface_section
 from kalos.results.text import number, with_error
-from kalos.scenes.reading import MODELS
+from kalos.scenes.reading import described, maintenance
 
 KINDS = ("isotropic", "lambertian", "light of the model")  # by Distribution, for luminaires that no scene file describes
 
@@ -93,12 +92,18 @@ def task_section(result):
         return []
     rows = []
     for task in result["tasks"]:
-        figures = result["receivers"][task["receivers"]]
-        rows.append((task["receivers"], f"{task['required_mean']:g}", with_error(figures, "mean"),
-                     f"{task['required_U0']:g}" if "required_U0" in task else "-", with_error(figures, "U0"), task["result"]))
-    return ["<h2>Required values</h2>", table(("task", "mean required, lx", "mean, lx", "U0 required", "U0", "result"), rows, numbers=range(1, 5)),
-            "<p class='facts'>As EN 12464-1 asks of task areas. A value within two standard errors of its limit is undecided. No "
-            "maintenance factor is applied.</p>"]
+        figures = result["receivers"][task["receivers"]] | result["observers"].get(task["receivers"], {})
+        rows.append((task["receivers"], *(cell for key in ("mean", "U0", "UGR") for cell in required(task, figures, key)), task["result"]))
+    head = ("task", "mean required, lx", "mean, lx", "U0 required", "U0", "UGR at most", "UGR", "result")
+    factors = [line["choice"] for line in result["audit"] if line["subject"] == "maintenance factor"]
+    return ["<h2>Required values</h2>", table(head, rows, numbers=range(1, 7)),
+            "<p class='facts'>As EN 12464-1 asks of task areas. A value within two standard errors of its limit is undecided. "
+            f"Maintenance factor: {escape(factors[0]) if factors else 'none is applied, values are those of new luminaires'}.</p>"]
+
+
+def required(task, figures, key):
+    """A required value and the one found; - where nothing is required."""
+    return (f"{task[f'required_{key}']:g}", with_error(figures, key)) if f"required_{key}" in task else ("-", "-")
 
 
 def glare_section(result):
@@ -127,19 +132,20 @@ def luminaire_section(scene, reader, result):
     luminaires = reader.GetLuminaires()
     if luminaires.GetNumberOfPoints() == 0:
         return []
-    described = described_luminaires(scene)
+    known, usual = described(scene, "luminaires"), maintenance(scene)
     data = luminaires.GetPointData()
     flux, kinds = (vtk_to_numpy(data.GetArray(name)) for name in (arrays.LUMINOUS_FLUX, arrays.DISTRIBUTION))
     names = data.GetAbstractArray(arrays.LUMINAIRE_NAMES)
     rows = []
     for i in range(luminaires.GetNumberOfPoints()):
-        one = described.get(names.GetValue(i), {})
+        one = known.get(names.GetValue(i), {})
         kind = one.get("file") or ("rectangle" if "rectangle" in one else KINDS[min(int(kinds[i]), len(KINDS) - 1)])
         place = ", ".join(f"{x:.2f}" for x in luminaires.GetPoint(i))
-        rows.append((names.GetValue(i), kind, place, number(float(flux[i]))))
-    sections = ["<h2>Luminaires</h2>", table(("luminaire", "distribution", "place, m", "flux, lm"), rows, numbers=(3,)),
+        rows.append((names.GetValue(i), kind, place, f"{one.get('maintenance_factor', usual):g}", number(float(flux[i]))))
+    head = ("luminaire", "distribution", "place, m", "maintenance factor", "maintained flux, lm")
+    sections = ["<h2>Luminaires</h2>", table(head, rows, numbers=(3, 4)),
                 f"<p class='facts'>{len(rows)} luminaires, {number(float(flux.sum()))} lm together.</p>"]
-    for name, lamp_set in sorted({(one["file"], one.get("lamp_set", 1)) for one in described.values() if "file" in one}):
+    for name, lamp_set in sorted({(one["file"], one.get("lamp_set", 1)) for one in known.values() if "file" in one}):
         photometry = read_photometry(Path(scene).parent / name, lamp_set)
         file = io.BytesIO()
         draw_photometry(file, photometry)
@@ -147,10 +153,3 @@ def luminaire_section(scene, reader, result):
         sections.append(f"<div class='together'><h3>{escape(name)}</h3>{picture}</div>")
     sections += [f"<p class='warning'>{escape(Path(w['file']).name)}: {escape(w['message'])}</p>" for w in result["warnings"]["list"]]
     return sections
-
-
-def described_luminaires(scene):
-    """The luminaires of a scene file by name; a model's own are not described beyond what the reader puts out."""
-    if Path(scene).suffix.lower() in MODELS:
-        return {}
-    return {one["name"]: one for one in json.loads(Path(scene).read_text(encoding="utf-8-sig")).get("luminaires", [])}

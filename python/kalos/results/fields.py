@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What stands in the field data of a result: numbers, version and seed, and the audit."""
+from typing import Any, Dict, List
+
 from kalos.core import arrays
 
 
@@ -20,7 +22,7 @@ def trajectories(output):
     return None if value is None else int(value)
 
 
-def audit(output, name=arrays.AUDIT):
+def audit(output: Any, name: str = arrays.AUDIT) -> List[Dict[str, str]]:
     """What the solve chose to model and why, or what the reader of a scene did: a list of {subject, choice, reason}."""
     table = output.GetFieldData().GetAbstractArray(name)
     if table is None:

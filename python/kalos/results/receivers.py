@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The results of one receiver set as NumPy arrays."""
 from dataclasses import dataclass
-from typing import Optional
+from typing import Any, Optional
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -46,7 +46,7 @@ class Receivers:
         return self.dataset.GetCellData().HasArray(arrays.ILLUMINANCE) == 1
 
 
-def from_dataset(name, dataset):
+def from_dataset(name: str, dataset: Any) -> Any:
     """Reads the output of vtkKalosIlluminance."""
     of_points, of_cells = dataset.GetPointData(), dataset.GetCellData()
     data = of_cells if of_cells.HasArray(arrays.ILLUMINANCE) else of_points
@@ -71,7 +71,7 @@ def from_dataset(name, dataset):
                      daylight, goal)
 
 
-def point_receivers(points, normals):
+def point_receivers(points: Any, normals: Any) -> vtkPolyData:
     """A vtkPolyData that asks for the illuminance at points (n, 3) of surfaces with unit normals (n, 3)."""
     dataset, places = vtkPolyData(), vtkPoints()
     places.SetData(numpy_to_vtk(np.array(points, float), deep=True))

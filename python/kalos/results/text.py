@@ -2,6 +2,8 @@
 """Results as text for a person: the table of a solve, the audit, numbers with their standard errors."""
 import math
 
+from kalos.results.tasks import limits
+
 
 def joined_audit(audits):
     """The audits of several solves (label: lines) as one: what they agree on once, the rest with the label of each."""
@@ -43,8 +45,7 @@ def result_text(summary):
                           *([name, with_error(figures, "UGR"), with_error(figures, "background_luminance"),
                              str(figures["sources"])] for name, figures in summary["observers"].items())])
     for task in summary.get("tasks", ()):
-        limits = f"mean {task['required_mean']:g} lx" + (f", U0 {task['required_U0']:g}" if "required_U0" in task else "")
-        lines.append(f"  {task['receivers']}: {limits} required: {task['result']}")
+        lines.append(f"  {task['receivers']}: {limits(task)} required: {task['result']}")
     lines.append("  ± is one standard error: the true value is within two of them in about 95 of 100 cases")
     if any(figures["untrusted"] for figures in summary["receivers"].values()):
         lines.append("  untrusted: receivers whose standard error cannot be believed, as a few single scores dominate the estimate")

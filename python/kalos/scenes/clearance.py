@@ -5,12 +5,14 @@ The clearance of a surface point is its distance to the nearest point of the sce
 strictly on the side of its normal. In the middle of a wall that is another wall; at a concave edge, in a corner or beside
 a box it tends to nothing; a convex edge does not count, for nothing there lies in front.
 """
+from typing import Any
+
 import numpy as np
 
 TOUCH = 1e-6  # of the scene's size: what is no higher above the plane of a point is in that plane
 
 
-def triangles(surfaces):
+def triangles(surfaces: Any) -> Any:
     """The corners (n, 3, 3) of all faces of a vtkPolyData, polygons cut into fans."""
     found = []
     for i in range(surfaces.GetNumberOfCells()):
@@ -20,7 +22,7 @@ def triangles(surfaces):
     return np.array(found, float).reshape(-1, 3, 3)
 
 
-def clearance(points, normals, faces):
+def clearance(points: Any, normals: Any, faces: Any) -> Any:
     """For points (n, 3) with unit normals, m; infinite where nothing lies in front."""
     touch = TOUCH * np.ptp(faces.reshape(-1, 3), axis=0).max()
     nearest = np.full(len(points), np.inf)

@@ -29,8 +29,8 @@ class Scene:
     """What a scene file says, in its words: `kalos schema` prints them all. Lengths are metres, flux is in lumens.
 
     materials: a dict by name; surfaces, luminaires, receivers, cameras: lists of dicts with a "name" each; sky, ground: dicts, and
-    north_deg. All may be changed
-    at will; scene["lamp"] is the entry of that name. What is wrong shows when the scene is solved. Paths of files are kept
+    north_deg. maintenance_factor: the share of the luminaires' flux that is left, (0, 1]. All may be changed at will;
+    scene["lamp"] is the entry of that name. What is wrong shows when the scene is solved. Paths of files are kept
     absolute, and written relative to the scene file where they are below it.
 
     >>> scene = Scene()
@@ -51,6 +51,7 @@ class Scene:
         self.sky: Dict[str, Any] = {}
         self.north_deg = 0.0
         self.ground: Dict[str, Any] = {}
+        self.maintenance_factor = 1.0
         self._meshes: Dict[str, vtkPolyData] = {}
         self._points: Dict[str, Tuple[np.ndarray, np.ndarray]] = {}
 
@@ -68,6 +69,7 @@ class Scene:
             raise KalosError(f"{path}: kalos: not 1, expected a scene file with the key \"kalos\": 1")
         for section in ("materials", *SECTIONS, *OUTDOORS):
             setattr(scene, section, document.get(section, copy.deepcopy(getattr(scene, section))))
+        scene.maintenance_factor = document.get("maintenance_factor", 1.0)
         scene.name = path.stem
         for key, entry in scene._references():
             entry[key] = str((path.resolve().parent / entry[key]).absolute())
@@ -147,6 +149,8 @@ class Scene:
 
     def _document(self) -> Dict[str, Any]:
         found = {"kalos": 1, "materials": self.materials, **{section: getattr(self, section) for section in (*SECTIONS, *OUTDOORS)}}
+        if self.maintenance_factor != 1:
+            found["maintenance_factor"] = self.maintenance_factor
         return copy.deepcopy({key: value for key, value in found.items() if value})
 
     def _references(self) -> Iterator[Tuple[str, Dict[str, Any]]]:

@@ -21,8 +21,8 @@ from kalos.results.receivers import from_dataset
 from kalos.results.daylight import daylight_figures
 from kalos.results.statistics import goal, image_statistics
 from kalos.results.tables import write_csv
-from kalos.results.tasks import check_names, judged
-from kalos.scenes.reading import MODELS, camera_names, photometry_warnings, read_scene, receiver_names
+from kalos.results.tasks import check_names, joined, judged, of_scene
+from kalos.scenes.reading import MODELS, camera_names, described, photometry_warnings, read_scene, receiver_names
 from kalos.solving.glare import rate_glare
 from kalos.solving.hdr import write_hdr
 from kalos.solving.memory import check_memory
@@ -38,8 +38,8 @@ def solve(scene, out, options=Options(), say=lambda line: None, preparing=True, 
     the result table and the paths of the pictures. With `preparing` the surfaces are repaired first, and the audit says
     where they meet at singular edges. `hdr` adds NAME.hdr per camera, a Radiance picture. `report` adds report.html, and NAME-isolux.vtp
     for flat receiver sets. `everywhere` lets statistics count receivers inside solids, below surfaces and outside, which are left out
-    otherwise. `daylight` adds daylight factors. `look` is that of the pictures. `tasks` are requirements, a
-    kalos.results.tasks.Task each. Raises KalosError; the folder then holds nothing new.
+    otherwise. `daylight` adds daylight factors. `look` is that of the pictures. `tasks` are requirements beside those of
+    the scene, a kalos.results.tasks.Task each. Raises KalosError; the folder then holds nothing new.
     """
     started = time.perf_counter()
     look.check()
@@ -47,6 +47,7 @@ def solve(scene, out, options=Options(), say=lambda line: None, preparing=True, 
     check_names(tasks, receiver_names(reader))
     if daylight:
         check_sky(reader, scene)
+    tasks = joined(of_scene(described(scene, "receivers")), tasks)
     setup = time.perf_counter() - started
     with staged(out) as folder:
         with named_options():
@@ -56,7 +57,7 @@ def solve(scene, out, options=Options(), say=lambda line: None, preparing=True, 
         if daylight:
             add_daylight(result, receivers, everywhere)
         result["observers"] = observers
-        result["tasks"] = judged(tasks, result["receivers"])
+        result["tasks"] = judged(tasks, result["receivers"], observers)
         result["audit"] = fields.audit(reader.GetSurfaces(), arrays.SCENE_NOTES) + prepared.audit + result["audit"] + glare
         result["setup_seconds"] = setup
         result["warnings"] = warnings(reader, scene, result["audit"])

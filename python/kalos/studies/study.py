@@ -8,6 +8,7 @@ noise of a mean over all values is in it.
 """
 import csv
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -23,7 +24,7 @@ COLUMNS = ("method", "trajectories", "delta_m", "epsilon_m", "seed", "rms_near",
            "seconds", "cpu_seconds", "untrusted_share")
 
 
-def study(scene, out, rows, reference_trajectories, say=lambda text: None):
+def study(scene: Any, out: Any, rows: Any, reference_trajectories: int, say: Any = lambda text: None) -> Any:
     """Solves the settings of `rows` (kalos.sweep) on a scene file into the folder `out`; returns what is in study.json."""
     subject = Subject(scene)
     distinct = list(dict.fromkeys(panel.options for row in rows for panel in row.panels))

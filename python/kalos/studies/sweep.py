@@ -2,6 +2,7 @@
 """Which settings a study solves, and how their pictures are laid out: rows of panels."""
 import itertools
 from dataclasses import dataclass, replace
+from typing import Any
 
 from kalos.core.options import OWN_OPTIONS, REFERENCE_METHOD, Options
 from kalos.errors import KalosError
@@ -72,7 +73,7 @@ def check_effect(sweeps, base):
                                  "with such a neighbourhood")
 
 
-def table1(sweeps, base):
+def table1(sweeps: Any, base: Any) -> Any:
     """The three series of Table 1; the method and the seed are those of `base`."""
     if sweeps:
         raise KalosError("--table1: given together with --sweep, expected one of them")

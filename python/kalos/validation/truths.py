@@ -7,7 +7,7 @@ import numpy as np
 from scipy import integrate, special
 
 
-def white_furnace(reflectance, exitance):
+def white_furnace(reflectance: float, exitance: float) -> float:
     """Illuminance everywhere in a closed scene of one reflectance whose every surface emits `exitance`, lm/m2.
 
     E = M0/(1 - rho): at any distance from any edge, on any mesh. The luminance is E rho/pi + M0/pi.
