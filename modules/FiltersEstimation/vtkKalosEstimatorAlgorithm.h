@@ -182,8 +182,9 @@ public:
    * rays only to vertices picked by their scores), convex (no shadow rays in an empty convex room), near (gather rays
    * only where a surface is near), paths (no vertices where luminous surfaces are all around and paths from the
    * receivers alone win a trial), neighbours (gather rays of `gathered` light all receivers of a group), effort
-   * (receivers rest that have enough for the goal), exact-direct (area emitters in closed form). None moves a mean; for
-   * those who measure what they save. Default empty.
+   * (receivers rest that have enough for the goal), highlights (lamps in glossy planes sampled about their mirror
+   * images), exact-direct (area emitters in closed form). None moves a mean; for those who measure what they save.
+   * Default empty.
    */
   vtkSetStringMacro(Without);
   vtkGetStringMacro(Without);

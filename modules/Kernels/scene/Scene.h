@@ -4,12 +4,14 @@
 #define kalos_scene_Scene_h
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "geometry/Vector.h"
 #include "luminaire/Luminaire.h"
 #include "material/Brdf.h"
+#include "scene/GlossyPlanes.h"
 #include "scene/RayScene.h"
 
 namespace kalos
@@ -103,6 +105,8 @@ public:
   /// shines into the room.
   const RayAnchor& luminaireAnchor(std::size_t i) const { return this->LuminaireAnchors[i]; }
 
+  const GlossyPlanes& glossyPlanes() const { return *this->Glossy; }
+
   /// Distance, m, below which a point may be meant to lie on a surface.
   double contact(const Vec3& p) const { return roundingScale * (maxAbs(p) + 0.05 * this->Size); }
 
@@ -139,6 +143,7 @@ private:
   std::vector<Lift> Lifts;
   double SurfaceArea = 0;
   std::vector<RayAnchor> LuminaireAnchors;
+  std::shared_ptr<const GlossyPlanes> Glossy;
 };
 }  // namespace kalos
 

@@ -19,7 +19,7 @@ METHODS = {"compensated": 5, "gathered": 6, "local": 0, "sphere-published": 1, "
 
 
 # What vtkKalosIlluminance::Without switches off; none changes a mean.
-TECHNIQUES = ("stratified", "picked", "convex", "near", "paths", "neighbours", "effort", "exact-direct")
+TECHNIQUES = ("stratified", "picked", "convex", "near", "paths", "neighbours", "effort", "highlights", "exact-direct")
 
 
 @dataclass(frozen=True)

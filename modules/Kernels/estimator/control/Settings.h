@@ -46,6 +46,7 @@ struct Settings
   bool alwaysVertices = false;     ///< use vertices even where paths from the receivers are better
   bool ownRays = false;            ///< a gather ray lights only the receiver that sent it, not its neighbours
   bool evenEffort = false;         ///< all receivers continue until the last has reached the goal
+  bool vertexHighlights = false;   ///< highlights of luminaires by vertices and gather rays alone
   bool sampleDirect = false;       ///< sample area emitters instead of using their closed form
 
   const Ranks* ranks = nullptr;  ///< processes that share the solve; null: only this one

@@ -24,6 +24,8 @@ const Technique techniques[] = {
     {"paths", [](const Settings& s) { return s.alwaysVertices; }, [](Settings& s) { s.alwaysVertices = true; }},
     {"neighbours", [](const Settings& s) { return s.ownRays; }, [](Settings& s) { s.ownRays = true; }},
     {"effort", [](const Settings& s) { return s.evenEffort; }, [](Settings& s) { s.evenEffort = true; }},
+    {"highlights", [](const Settings& s) { return s.vertexHighlights; },
+     [](Settings& s) { s.vertexHighlights = true; }},
     {"exact-direct", [](const Settings& s) { return s.sampleDirect; }, [](Settings& s) { s.sampleDirect = true; }},
 };
 }  // namespace

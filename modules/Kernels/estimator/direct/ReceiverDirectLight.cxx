@@ -15,6 +15,7 @@ namespace kalos
 namespace
 {
 constexpr int pilotSamples = 16;                // of area emitters, to estimate their visible fraction
+constexpr int trajectoriesPerHighlight = 16;    // of a replicate, per sample of highlights
 constexpr std::size_t steadyAround = 2;         // receivers before and after that must see the same
 constexpr int steadySaving = 8;                 // times fewer samples where the pilot found no partial shadow
 constexpr std::size_t largestViews = 1u << 24;  // unshadowed illuminances kept, receivers times emitters: 128 MB
@@ -38,7 +39,7 @@ Audit auditFor(const Scene& scene, const Receivers& receivers, const Settings& s
 }  // namespace
 
 ReceiverDirectLight::ReceiverDirectLight(const Scene& scene, const Receivers& receivers, const Settings& settings,
-                                         int trajectoriesPerSample)
+                                         bool withHighlights, int trajectoriesPerSample)
     : Scene_(scene),
       PerSample(trajectoriesPerSample),
       Drawn(settings.walks()),
@@ -48,7 +49,8 @@ ReceiverDirectLight::ReceiverDirectLight(const Scene& scene, const Receivers& re
                   this->Found.emittingTriangles * receivers.points.size() <= largestViews),
       Exact(scene, this->ClosedForms, this->shadows() || this->Sampled),
       Luminaires(scene, false, this->shadows() || this->Sampled),
-      Mirrored(scene)
+      Mirrored(scene),
+      Lobes(scene, withHighlights && !settings.vertexHighlights, this->shadows() || this->Sampled)
 {
   this->Sensors.reserve(receivers.points.size());
   for (std::size_t i = 0; i < receivers.points.size(); ++i)
@@ -61,6 +63,7 @@ ReceiverDirectLight::ReceiverDirectLight(const Scene& scene, const Receivers& re
       sensor.outgoing = receivers.outgoing[i];
       sensor.followsMirror = receivers.followsMirror[i];
     }
+    sensor.highlightsApart = this->Lobes.any();
     this->Sensors.push_back(sensor);
   }
 }
@@ -155,6 +158,21 @@ Bands ReceiverDirectLight::fluctuation(std::size_t r, int replicate, long long f
   return sum;
 }
 
+Bands ReceiverDirectLight::highlights(std::size_t r, int replicate, long long first, int count) const
+{
+  Bands sum{};
+  const int samples = (count + trajectoriesPerHighlight - 1) / trajectoriesPerHighlight;
+  const Walks walks = this->Drawn.ofReceiver(r);
+  for (int s = 0; s < samples; ++s)
+  {
+    SampleStream random = walks.stream(replicate, Purpose::Highlight, first + s);
+    const Bands light = this->Lobes.sample(this->Sensors[r], random);
+    for (int b = 0; b < this->Scene_.bands(); ++b)
+      sum[b] += light[b] * count / samples;
+  }
+  return sum;
+}
+
 void ReceiverDirectLight::score(std::size_t r, int replicate, long long first, int count, Tally& tally) const
 {
   if (tally.converged(r))
@@ -165,6 +183,11 @@ void ReceiverDirectLight::score(std::size_t r, int replicate, long long first, i
     tally.total(r, replicate)[b] += light[b];
     tally.direct(r, replicate)[b] += light[b];
   }
+  if (!this->Lobes.any())
+    return;
+  const Bands reflected = this->highlights(r, replicate, first, count);
+  for (int b = 0; b < tally.bands(); ++b)
+    tally.total(r, replicate)[b] += reflected[b];
 }
 
 bool ReceiverDirectLight::scoreAll(long long first, int count, Workers& workers, Tally& tally) const
@@ -241,6 +264,10 @@ std::vector<AuditLine> ReceiverDirectLight::audit() const
                    !this->Found.reflects ? "every surface is black: all light is direct"
                    : glossy || mirror    ? "as the materials say"
                                          : "every luminance is rho E / pi, no second estimate is run"});
+  if (this->Lobes.any())
+    lines.push_back({"highlights",
+                     "by " + std::to_string(this->Scene_.glossyPlanes().planes().size()) + " glossy planes",
+                     "light of luminaires by a glossy plane is sampled about the lamp's mirror image"});
   if (this->Found.unoccluded)
     lines.push_back({"shadow rays", "none", "the room is convex and empty: nothing can stand between two points"});
   else

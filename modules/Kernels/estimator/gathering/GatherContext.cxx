@@ -16,7 +16,8 @@ GatherContext::GatherContext(const Scene& scene, const Emission& emission, const
       Shadows(shadows),
       EveryPair(settings.shadowEveryPair),
       Luminaires(scene, false, shadows),
-      Mirrored(scene)
+      Mirrored(scene),
+      Lobes(scene, !settings.vertexHighlights, shadows)
 {
 }
 
