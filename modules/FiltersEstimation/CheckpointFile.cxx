@@ -19,7 +19,7 @@ std::string Beside(const std::string& name)
   return name + ".part" + std::to_string(getpid());
 }
 
-// Brings what happened to a file's name to the disk; on file systems that can not, the name is as safe as they make it.
+// Brings what happened to a file's name to the disk; on file systems that cannot, the name is as safe as they make it.
 void SyncFolderOf(const std::string& name)
 {
   const auto slash = name.find_last_of('/');
@@ -66,7 +66,7 @@ std::string CheckpointFile::load()
   if (error)
   {
     errno = error;
-    refuse("can not be written", "a file in a folder that is there and writable");
+    refuse("cannot be written", "a file in a folder that is there and writable");
   }
   errno = 0;
   std::ifstream file(this->Name, std::ios::binary);
@@ -74,12 +74,12 @@ std::string CheckpointFile::load()
   if (!file)
   {
     if (errno != ENOENT)
-      refuse("can not be read", "a file of kalos, or none");
+      refuse("cannot be read", "a file of kalos, or none");
     return {};
   }
   if (file.peek() == std::ifstream::traits_type::eof())
     throw std::invalid_argument(this->Name +
-                                ": checkpoint: can not be read or is empty; expected a file of kalos, or none");
+                                ": checkpoint: cannot be read or is empty; expected a file of kalos, or none");
   bytes << file.rdbuf();
   return bytes.str();
 }
@@ -97,7 +97,7 @@ void CheckpointFile::save(const std::string& bytes)
   }
   unlink(fresh.c_str());
   if (!this->Warned)
-    this->Warn(this->Name + ": checkpoint: can not be written (" + std::strerror(error) +
+    this->Warn(this->Name + ": checkpoint: cannot be written (" + std::strerror(error) +
                "); the solve goes on, with the checkpoint of before, if any");
   this->Warned = true;
 }

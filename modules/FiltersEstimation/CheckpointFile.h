@@ -11,13 +11,13 @@
 class CheckpointFile : public kalos::CheckpointStore
 {
 public:
-  /// `warn` hears, once, why the file can not be written; what it held before stays, and the solve goes on.
+  /// `warn` hears, once, why the file cannot be written; what it held before stays, and the solve goes on.
   CheckpointFile(std::string name, double interval, std::function<void(const std::string&)> warn)
       : Name(std::move(name)), Interval(interval), Warn(std::move(warn))
   {
   }
 
-  /// Throws std::invalid_argument when the file is there and can not be read, or its folder can not be written to.
+  /// Throws std::invalid_argument when the file is there and cannot be read, or its folder cannot be written to.
   std::string load() override;
 
   /// Writes a new file beside the old one, brings it to the disk and puts it in the old one's place.

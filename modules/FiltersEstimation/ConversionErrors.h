@@ -9,7 +9,7 @@
 #include "geometry/Vector.h"
 #include "vtkType.h"
 
-/// Throws with the place of a value that can not be.
+/// Throws with the place of a value that cannot be.
 [[noreturn]] inline void Refuse(const char* array, const char* what, vtkIdType i, const std::string& expected)
 {
   throw std::invalid_argument(std::string(array) + " of " + what + " " + std::to_string(i) + ": " + expected);

@@ -8,7 +8,7 @@
 
 #include "vtkErrorCode.h"
 
-/// UserError for input or settings that can not be used, UnknownError for what went wrong in the work itself.
+/// UserError for input or settings that cannot be used, UnknownError for what went wrong in the work itself.
 inline unsigned long ErrorCodeOf(const std::exception& error)
 {
   const bool input = dynamic_cast<const std::invalid_argument*>(&error) != nullptr;

@@ -90,7 +90,7 @@ MaterialKey KeyOf(const kalos::Material& m)
   return {m.reflectance, m.exitance, m.specular, m.roughness, m.mirror};
 }
 
-/// The triangulation leaves out polygons without area and those it can not cut; nothing is dropped silently.
+/// The triangulation leaves out polygons without area and those it cannot cut; nothing is dropped silently.
 void RefuseLostPolygons(vtkPolyData* input, vtkPolyData* triangles)
 {
   vtkIdType expected = input->GetPolys()->GetNumberOfConnectivityIds() - 2 * input->GetNumberOfPolys();

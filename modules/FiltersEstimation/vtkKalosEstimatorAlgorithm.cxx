@@ -5,7 +5,6 @@
 #include "SceneConversion.h"
 #include "estimator/control/Result.h"
 #include "estimator/control/Settings.h"
-#include "estimator/control/Techniques.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -34,7 +33,7 @@ vtkKalosEstimatorAlgorithm::vtkKalosEstimatorAlgorithm()
 vtkKalosEstimatorAlgorithm::~vtkKalosEstimatorAlgorithm()
 {
   this->SetController(nullptr);
-  this->SetWithout(nullptr);
+  this->SetDisabledTechniques(nullptr);
   this->SetCheckpointFile(nullptr);
 }
 
@@ -90,8 +89,8 @@ kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings(const kalos::Ranks& ran
   settings.threads = this->Threads;
   settings.delta = this->Delta;
   settings.epsilon = this->Epsilon;
-  if (this->Without)
-    kalos::disable(this->Without, settings);
+  if (this->DisabledTechniques)
+    settings.disabled = kalos::TechniqueSet::named(this->DisabledTechniques);
   return settings;
 }
 
@@ -149,6 +148,6 @@ void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
   os << indent << "KeepScene: " << (this->KeepScene ? "on" : "off") << "\n";
   os << indent << "IntermediateResults: " << (this->IntermediateResults ? "on" : "off") << "\n";
-  os << indent << "Without: " << (this->Without ? this->Without : "") << "\n";
+  os << indent << "DisabledTechniques: " << (this->DisabledTechniques ? this->DisabledTechniques : "") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }

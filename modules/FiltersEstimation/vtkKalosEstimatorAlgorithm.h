@@ -3,19 +3,19 @@
  * @class vtkKalosEstimatorAlgorithm
  * @brief Settings that every estimating filter shares.
  *
- * The method, its effort and its goals. Without a goal the filter runs Trajectories; with one, until the first of:
- * every value's 95 % half-width is within RelativeError of it or below ErrorFloor, Seconds have passed, Trajectories
- * are used up. Every filter attaches to its output the field data arrays Audit (what was modelled and why),
- * Trajectories, Rays, SolveSeconds, SolveCpuSeconds, Seed and KalosVersion. It reports progress and obeys AbortExecute:
- * the output then holds the rounds that were complete, and the audit says so; it is empty when there was none. The same
- * seed gives the same numbers, bit by bit, for any number of threads.
+ * The method, its effort and its goals. Without a goal the filter runs Trajectories. With a goal it stops as soon as
+ * every value's 95 % half-width is within RelativeError of the value or below ErrorFloor, Seconds have passed, or
+ * Trajectories are used up. The output gets the field data arrays Audit (what was modelled and why), Trajectories,
+ * Rays, SolveSeconds, SolveCpuSeconds, Seed and KalosVersion. The filter reports progress and obeys AbortExecute: the
+ * output then holds the rounds that were complete, if any, and the audit says so. The same seed gives bitwise the same
+ * numbers for any number of threads.
  *
- * The audit says what became of the light, emitted = absorbed + escaped, and has lines `warning` for surfaces that seem
- * to leak or to emit to the wrong side. A score that is infinite, negative or not a number ends the solve with an
- * ErrorEvent that names receiver, trajectory and vertex, and the ErrorCode UnknownError.
+ * The audit balances the light (emitted = absorbed + escaped) and has lines `warning` for surfaces that seem to leak or
+ * to emit to the wrong side. A score that is infinite, negative or not a number ends the solve with an ErrorEvent,
+ * which names receiver, trajectory and vertex, and the ErrorCode UnknownError.
  *
- * Errors: settings out of range, surfaces without the array Reflectance, arrays shorter or longer than what they are
- * of, values out of range or not finite give an ErrorEvent and no output.
+ * Errors: settings out of range, surfaces without the array Reflectance, arrays of the wrong length, and values that
+ * are out of range or not finite give an ErrorEvent and no output.
  */
 #ifndef vtkKalosEstimatorAlgorithm_h
 #define vtkKalosEstimatorAlgorithm_h
@@ -82,9 +82,9 @@ public:
 
   ///@{
   /**
-   * Half-width that is small enough for any value, whatever RelativeError says, lx; of an image that of the illuminance
-   * on what the pixels see. Default -1, or any negative number: RelativeError of a hundredth of the mean over all
-   * values.
+   * Half-width that is small enough for any value, lx, whatever RelativeError says; for an image, of the illuminance on
+   * the surfaces that the pixels see. A negative number, such as the default -1, stands for RelativeError times a
+   * hundredth of the mean over all values.
    */
   vtkSetMacro(ErrorFloor, double);
   vtkGetMacro(ErrorFloor, double);
@@ -134,13 +134,12 @@ public:
 
   ///@{
   /**
-   * File that the state of the solve is kept in, and that it goes on from when it is there: a solve that was killed and
-   * is run again gives bitwise the numbers of one that was not. Written whole or not at all, every CheckpointInterval
-   * and when the solve ends, also by AbortExecute; by the first process only. It stays when the solve is complete; a
-   * later update with the same input then has its numbers at once. A file of another scene, set of receivers, version
-   * or setting (but for Threads and processes), or a damaged one, is an error and left as it is; one that can not be
-   * written for want of space is a warning. Takes the size of receivers x 32 replicates x (2 bands + 2) x 8 bytes, and
-   * twice that in memory. Default: none.
+   * File for the state of the solve. If it exists, the solve resumes from it: a solve that was killed and is run again
+   * gives bitwise the numbers of an uninterrupted one. The first process replaces the file atomically every
+   * CheckpointInterval and when the solve ends or is aborted. The file stays when the solve is complete; a later update
+   * with the same input then has its numbers at once. A damaged file, or one of another scene, set of receivers,
+   * version or setting (Threads and processes apart), is an error and is not changed; a full disk is a warning. The
+   * file takes receivers x 32 replicates x (2 bands + 2) x 8 bytes, the solve twice that in memory. Default: none.
    */
   vtkSetFilePathMacro(CheckpointFile);
   vtkGetFilePathMacro(CheckpointFile);
@@ -148,9 +147,9 @@ public:
 
   ///@{
   /**
-   * Show the result while it is refined: after each round of trajectories vtkCommand::UpdateDataEvent is invoked with
-   * the result so far, a data object of the output's type that the observer may keep. Rounds then begin with one
-   * trajectory a replicate and grow by half of what is done. Default off.
+   * Show the result while it is refined: after each round of trajectories the filter invokes
+   * vtkCommand::UpdateDataEvent with the result so far, a data object of the output's type that the observer may keep.
+   * The first round then has one trajectory a replicate, and later rounds half of what is done. Default off.
    */
   vtkSetMacro(IntermediateResults, bool);
   vtkGetMacro(IntermediateResults, bool);
@@ -159,7 +158,7 @@ public:
 
   ///@{
   /**
-   * Time between checkpoints, s, >= 0; they are taken between rounds of trajectories. Default 10.
+   * Time between checkpoints, s, >= 0. They are saved after complete rounds of trajectories. Default 10.
    */
   vtkSetMacro(CheckpointInterval, double);
   vtkGetMacro(CheckpointInterval, double);
@@ -167,9 +166,8 @@ public:
 
   ///@{
   /**
-   * Keep the scene as it is prepared for rays, for further updates with the same surfaces and luminaires (none of which
-   * was modified): other receivers, methods and cameras then begin at once. Takes memory between updates, some 400
-   * bytes a triangle. Default off.
+   * Keep the scene that was prepared for rays: as long as surfaces and luminaires are not modified, updates with other
+   * receivers, methods and cameras then begin at once. It takes some 400 bytes a triangle between updates. Default off.
    */
   vtkSetMacro(KeepScene, bool);
   vtkGetMacro(KeepScene, bool);
@@ -178,24 +176,25 @@ public:
 
   ///@{
   /**
-   * Savings to do without, names separated by commas: stratified (walks stratified by Sobol' points), picked (shadow
+   * Techniques to do without, names separated by commas: stratified (walks stratified by Sobol' points), picked (shadow
    * rays only to vertices picked by their scores), convex (no shadow rays in an empty convex room), near (gather rays
    * only where a surface is near), paths (no vertices where luminous surfaces are all around and paths from the
    * receivers alone win a trial), neighbours (gather rays of `gathered` light all receivers of a group), effort
-   * (receivers rest that have enough for the goal), highlights (lamps in glossy planes sampled about their mirror
-   * images), exact-direct (area emitters in closed form). None moves a mean; for those who measure what they save.
+   * (receivers that reached the goal are skipped), highlights (lamps in glossy planes sampled about their mirror
+   * images), exact-direct (area emitters in closed form). None adds bias; disable them to measure what they save.
    * Default empty.
    */
-  vtkSetStringMacro(Without);
-  vtkGetStringMacro(Without);
+  vtkSetStringMacro(DisabledTechniques);
+  vtkGetStringMacro(DisabledTechniques);
   ///@}
 
   ///@{
   /**
-   * The processes that share the work. Default: the global controller at construction; null or a single process works
-   * alone. With several, all of them must update the filter. Each asks its inputs for the whole, whatever piece it is
-   * asked for itself, works on its share of the replicates, and knows the result, bit by bit that of one process. A
-   * request for pieces is answered by piece 0, of an image by its extent; the others are empty.
+   * The processes that share the work. Default: the global controller at construction. With null or a single process
+   * the filter works alone. With several, all of them must update the filter. Each process reads the whole input,
+   * whatever piece is requested, works on its share of the replicates and gets the whole result, bitwise that of a
+   * single process. Of a request for pieces, piece 0 holds everything and the others are empty; an image is divided by
+   * its extent.
    */
   virtual void SetController(vtkMultiProcessController*);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -235,7 +234,7 @@ protected:
   double CheckpointInterval = 10;
   bool IntermediateResults = false;
   bool KeepScene = false;
-  char* Without = nullptr;
+  char* DisabledTechniques = nullptr;
   vtkMultiProcessController* Controller = nullptr;
 
 private:

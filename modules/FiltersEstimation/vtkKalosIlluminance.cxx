@@ -14,6 +14,7 @@
 #include "ErrorCodes.h"
 #include "ReceiverConversion.h"
 #include "estimator/quantities/DarkReceivers.h"
+#include "estimator/solve/Replay.h"
 #include "estimator/solve/Solver.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"

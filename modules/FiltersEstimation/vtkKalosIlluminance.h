@@ -15,7 +15,7 @@
  *
  * Output: the receivers, of the same type, with the arrays Illuminance (lx), IlluminanceStandardError (lx),
  * DirectIlluminance (lx), IndirectIlluminanceStandardError (lx, of the rest), LargestScoreShare (largest single score
- * over the sum of all), IntervalTrusted (0 where the standard error can not be believed: one score dominates, or the
+ * over the sum of all), IntervalTrusted (0 where the standard error cannot be believed: one score dominates, or the
  * surroundings are too near to have been sampled); with RelativeError GoalStatus (1 the value reached it, 2 it is dim
  * and its half-width below ErrorFloor, 0 neither); for a method that alters the kernel KernelCorrection (lx, what the
  * alteration added on the same trajectories); for COMPENSATED GatherRays (rays sent from the receiver; 0 where vertices

@@ -139,12 +139,9 @@ std::vector<std::uint32_t> materialsOfCells(vtkPolyData* input)
   }
   return material;
 }
-}  // namespace
 
-ConvertedMesh convertMesh(vtkPolyData* input)
+void checkInput(vtkPolyData* input)
 {
-  ConvertedMesh result;
-  TriangleMesh& mesh = result.mesh;
   if (!input || !input->GetPoints() || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
     throw std::invalid_argument("the input has no polygons; expected a surface");
@@ -154,6 +151,14 @@ ConvertedMesh convertMesh(vtkPolyData* input)
     throw std::invalid_argument("the input has more than 4294967294 points; expected fewer");
   }
   vtkKalosArrayLengths::Require(input->GetCellData(), input->GetNumberOfCells(), "cells");
+}
+}  // namespace
+
+ConvertedMesh convertMesh(vtkPolyData* input)
+{
+  checkInput(input);
+  ConvertedMesh result;
+  TriangleMesh& mesh = result.mesh;
   mesh.points.resize(static_cast<std::size_t>(input->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {

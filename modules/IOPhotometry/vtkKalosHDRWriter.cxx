@@ -69,7 +69,7 @@ void writeFile(const std::string& path, const int size[3], const std::vector<kal
     file << "VIEW=" << view << "\n";
   }
   file << "FORMAT=32-bit_rle_rgbe\n\n-Y " << size[1] << " +X " << size[0] << "\n";
-  // Flat scan lines: a pixel whose largest mantissa is 128 or more can not be taken for a run.
+  // Flat scan lines: a pixel whose largest mantissa is 128 or more cannot be taken for a run.
   for (std::size_t i = 0; i < planes[0].samples.size(); ++i)
   {
     const auto pixel = encode(colorOf(planes, i));

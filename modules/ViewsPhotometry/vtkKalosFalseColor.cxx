@@ -80,6 +80,20 @@ vtkDataSetAttributes* attributesWith(vtkDataSet* leaf, const std::string& name)
   return nullptr;
 }
 
+/** The array of that name of each leaf that has it. */
+std::vector<vtkDataArray*> arraysOf(const std::vector<vtkDataSet*>& leaves, const std::string& name)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (vtkDataSet* leaf : leaves)
+  {
+    if (vtkDataSetAttributes* data = attributesWith(leaf, name))
+    {
+      arrays.push_back(data->GetArray(name.c_str()));
+    }
+  }
+  return arrays;
+}
+
 /** Smallest and largest finite value (above 0 if so wanted); empty (first above second) if there is none. */
 void widenRange(vtkDataArray* array, bool positive, double range[2])
 {
@@ -186,32 +200,24 @@ int vtkKalosFalseColor::RequestData(vtkInformation*, vtkInformationVector** inpu
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   const std::vector<vtkDataSet*> inputs = leaves(input);
 
-  // Find the array.
   const std::string name = this->ArrayName.empty() ? defaultName(inputs) : this->ArrayName;
   const bool logarithmic = this->Scale == LOGARITHMIC;
   double range[2] = {std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
-  bool found = false;
-  for (vtkDataSet* leaf : inputs)
+  const std::vector<vtkDataArray*> arrays = arraysOf(inputs, name);
+  if (arrays.empty())
   {
-    vtkDataSetAttributes* data = attributesWith(leaf, name);
-    if (!data)
-    {
-      continue;
-    }
-    found = true;
-    vtkDataArray* array = data->GetArray(name.c_str());
+    vtkErrorMacro("no array " << (name.empty() ? "Illuminance or Luminance" : name)
+                              << "; expected it in point or cell data");
+    return 0;
+  }
+  for (vtkDataArray* array : arrays)
+  {
     if (array->GetNumberOfComponents() != 1)
     {
       vtkErrorMacro("the array " << name << " has " << array->GetNumberOfComponents() << " components; expected 1");
       return 0;
     }
     widenRange(array, logarithmic, range);
-  }
-  if (!found)
-  {
-    vtkErrorMacro("no array " << (name.empty() ? "Illuminance or Luminance" : name)
-                              << "; expected it in point or cell data");
-    return 0;
   }
 
   // Settle the range.

@@ -23,7 +23,7 @@ class KalosError(Exception):
 
 
 class InputError(KalosError, ValueError):
-    """An argument of the Python interface that can not be used: its name, its shape and what is expected."""
+    """An argument of the Python interface that cannot be used: its name, its shape and what is expected."""
 
 
 class Interrupted(KeyboardInterrupt):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The version stands in CMakeLists.txt; what can not be made from it, agrees with it."""
+"""The version stands in CMakeLists.txt; what cannot be made from it, agrees with it."""
 import re
 
 import pytest

@@ -88,7 +88,7 @@ def test_a_full_disk_costs_the_new_checkpoint_only(larger, tmp_path):
     before = state.read_bytes()
     assert before != complete
     out, error = finish(start(larger, tmp_path, len(before) // 2))
-    assert error.count("state.kcp: checkpoint: can not be written (File too large); the solve goes on") == 1
+    assert error.count("state.kcp: checkpoint: cannot be written (File too large); the solve goes on") == 1
     assert out == whole
     assert state.read_bytes() == before
     for part in tmp_path.glob("state.kcp.part*"):  # of the killed one, at most
@@ -141,5 +141,5 @@ def test_a_place_that_can_not_be_written(scene, command, tmp_path, name, reason)
     path = scene.save()
     status, _, error = command("solve", path, "--out", tmp_path / "out", "--checkpoint", tmp_path / name)
     assert status == 2
-    assert one_line(error) == (f"{tmp_path / name}: checkpoint: can not be written ({reason}), expected a file in a folder that is "
+    assert one_line(error) == (f"{tmp_path / name}: checkpoint: cannot be written ({reason}), expected a file in a folder that is "
                                "there and writable")

@@ -33,9 +33,9 @@ BAD = {
     "no normals": lambda: illuminance(probe(normal=None), surfaces(), lamp()),
     "a normal without direction": lambda: illuminance(probe(normal=(0, 0, 0)), surfaces(), lamp()),
     "a neighbourhood too wide": lambda: illuminance(probe(), surfaces(), lamp(), Method=vtkKalosIlluminance.CLAMPED, Delta=100.0),
-    "a checkpoint that can not be": lambda: illuminance(probe(), surfaces(), lamp(), CheckpointFile="/dev/null/none"),
+    "a checkpoint that cannot be": lambda: illuminance(probe(), surfaces(), lamp(), CheckpointFile="/dev/null/none"),
     "an image without reflectance": lambda: image(surfaces(Reflectance=None), lamp()),
-    "an image with a wrong name": lambda: image(surfaces(), lamp(), Without="walls"),
+    "an image with a wrong name": lambda: image(surfaces(), lamp(), DisabledTechniques="walls"),
     "observers without results": lambda: estimate(vtkKalosGlareRating, probe(), surfaces(), lamp()),
 }
 

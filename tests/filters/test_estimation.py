@@ -235,7 +235,7 @@ def test_a_kept_scene_serves_other_receivers_and_notices_changes():
     (dict(Method=99), "method: does not exist"),
     (dict(Trajectories=-1), "trajectories: must be 0 (automatic) or more"),
     (dict(RelativeError=1), "error: must lie in [0, 1)"),
-    (dict(Without="picked,walls"), "without: 'walls' is not a technique, expected some of " + ", ".join(TECHNIQUES)),
+    (dict(DisabledTechniques="picked,walls"), "disable: 'walls' is not a technique, expected some of " + ", ".join(TECHNIQUES)),
     (dict(Seconds=-1), "time: must be 0 (no limit) or more seconds"),
     (dict(Threads=-1), "threads: must be 0 (all) or more"),
     (dict(Delta=-1), "delta: is -1.000000 m, expected 0 (automatic) up to the size of the scene, 4.000000 m"),

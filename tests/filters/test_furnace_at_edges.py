@@ -118,7 +118,7 @@ def test_one_millimetre_from_every_kind_of_edge(edge_length):
     estimate.SetInputData(1, surfaces)
     estimate.SetTrajectories(16384)
     estimate.SetSeed(11)
-    estimate.SetWithout("paths")  # in a furnace these would do, and know no edges
+    estimate.SetDisabledTechniques("paths")  # in a furnace these would do, and know no edges
     assert update_error(estimate) is None
     data = estimate.GetOutputDataObject(0).GetPointData()
     value, error = (vtk_to_numpy(data.GetArray(name)) for name in ("Illuminance", "IlluminanceStandardError"))

@@ -118,7 +118,7 @@ def test_a_texture_that_is_not_there(tmp_path):
     gltf["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
     reader = read(gltf.save(tmp_path))
     assert cells(reader, "Reflectance").tolist() == [0.5, 0.5]
-    assert "lost.png" in reasons(reader)["textures that can not be read"]
+    assert "lost.png" in reasons(reader)["textures that cannot be read"]
 
 
 def test_a_last_row_that_is_a_little_off(tmp_path):

@@ -93,4 +93,4 @@ def test_a_jpeg_texture(tmp_path):
 def test_a_texture_that_can_not_be_read_is_left_out_and_said(tmp_path, image):
     reader = read(textured(image or b"\0", mimeType="image/png").save(tmp_path))
     assert cells(reader, "Reflectance").tolist() == [0.5, 0.5]
-    assert notes(reader)["textures that can not be read"] == "left out"
+    assert notes(reader)["textures that cannot be read"] == "left out"

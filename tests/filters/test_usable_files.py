@@ -74,7 +74,7 @@ def check(reader, reflectance, told):
     (OBJ, MTL + "d -halo 0.5\n", 0.4, {"transparent materials": "(1: wood)"}),
     (OBJ, MTL + "Ns -1\nTf spectral x.rfl\nillum 2\n", 0.4, {}),
     (OBJ, MTL + "map_Kd -s 2 2 -o 0.5 -clamp on lost file.png\n", 0.4,
-     {"textures that can not be read": "there is no file lost file.png (1: wood)"}),
+     {"textures that cannot be read": "there is no file lost file.png (1: wood)"}),
     (OBJ, MTL + "map_d holes.png\n", 0.4, {"transparent materials": "(1: wood)"}),
     (OBJ, MTL + "Pc 0.5\n", 0.4, {"statement pc": "no such property is modelled (1: wood)"}),
     (OBJ + "f 1 2\nf 3\n", MTL, 0.4, {"degenerate faces": "(2)"}),

@@ -37,7 +37,7 @@ static Receivers nearPoints()
 static Settings settings(Method method, long long trajectories, std::uint64_t seed = 1)
 {
   Settings s;
-  s.alwaysVertices = true;  // in furnaces, too
+  s.disabled.insert(Technique::Paths);  // in furnaces, too
   s.method = method;
   s.trajectories = trajectories;
   s.seed = seed;

@@ -54,9 +54,10 @@ std::string gatheringReceivers(const Result& result)
 Settings settings(bool everywhere, std::uint64_t seed, long long trajectories = 65536)
 {
   Settings s;
-  s.alwaysVertices = true;  // in furnaces, too
+  s.disabled = {Technique::Paths};  // in furnaces, too
+  if (everywhere)
+    s.disabled.insert(Technique::Near);
   s.trajectories = trajectories;
-  s.gatherEverywhere = everywhere;
   s.seed = seed;
   return s;
 }

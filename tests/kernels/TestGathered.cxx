@@ -17,7 +17,7 @@ namespace
 Settings settings(Method method, long long trajectories)
 {
   Settings s;
-  s.alwaysVertices = true;  // in furnaces, too
+  s.disabled.insert(Technique::Paths);  // in furnaces, too
   s.method = method;
   s.trajectories = trajectories;
   return s;

@@ -154,10 +154,10 @@ TEST(AdaptiveSampling, SavesWorkAndMovesNoValue)
     double plannedRays = 0, evenRays = 0;  // when the goal is reached is a matter of chance: three seeds of each
     for (std::uint64_t seed = 1; seed <= 6; seed += 2)
     {
-      s.evenEffort = false;
+      s.disabled = {};
       s.seed = seed;
       const Result planned = solve(scene, receivers, s);
-      s.evenEffort = true;
+      s.disabled = {Technique::Effort};
       s.seed = seed + 1;
       const Result even = solve(scene, receivers, s);
       plannedRays += planned.rays;
@@ -180,7 +180,7 @@ TEST(Goal, SaysWhatWasMissedAndWhy)
   receivers.points = {{2.5, 2.5, 0}, {0.5, 0.5, 0}};
   receivers.normals.assign(2, {0, 0, 1});
   Settings s;
-  s.alwaysVertices = true;  // in furnaces, too
+  s.disabled.insert(Technique::Paths);  // in furnaces, too
   s.relativeError = 1e-4;
   s.trajectories = 512;
   const Result result = solve(scene, receivers, s);
@@ -202,7 +202,7 @@ TEST(Goal, IntervalsCoverTheTruthWhenTheErrorStopsTheSolve)
     receivers.normals.push_back({0, 0, 1});
   }
   Settings s;
-  s.alwaysVertices = true;  // in furnaces, too
+  s.disabled.insert(Technique::Paths);  // in furnaces, too
   s.relativeError = 0.04;
   const int seeds = 200;
   int covered = 0, rounds = 0;

@@ -148,7 +148,7 @@ TEST(Highlights, MoveNoMean)
     s.method = method;
     s.trajectories = 200000;
     const Result apart = solve(scene, r, s);
-    s.vertexHighlights = true;
+    s.disabled = {Technique::Highlights};
     s.seed = 2;
     const Result mixed = solve(scene, r, s);
     for (std::size_t i = 0; i < r.points.size(); ++i)

@@ -53,7 +53,7 @@ TEST(Placement, FurnaceAtTheFoot)
       Settings s;
       s.method = method;
       s.trajectories = 16384;
-      s.alwaysVertices = true;
+      s.disabled.insert(Technique::Paths);
       const Result result = solve(Scene(posed(rooms::furnace(0.6, 100), pose)), posed(r, pose), s);
       for (std::size_t i = 0; i < r.points.size(); ++i)
       {

@@ -117,10 +117,11 @@ TEST(SampleStream, SobolLeavesTheMeanAndLowersTheVariance)
     for (int seed = 1; seed <= seeds; ++seed)
     {
       Settings settings;
-      settings.alwaysVertices = true;  // in furnaces, too
+      settings.disabled.insert(Technique::Paths);  // in furnaces, too
       settings.trajectories = 8192;
       settings.seed = static_cast<std::uint64_t>(seed);
-      settings.sampling = sampling;
+      if (sampling == Sampling::Independent)
+        settings.disabled.insert(Technique::Stratified);
       const Result result = solve(scene, receivers, settings);
       for (std::size_t r = 0; r < 3; ++r)
       {
@@ -180,7 +181,8 @@ TEST(SampleStream, DISABLED_ErrorSlopes)
         settings.method = Method::Local;
         settings.trajectories = trajectories;
         settings.seed = seed;
-        settings.sampling = sampling;
+        if (sampling == Sampling::Independent)
+          settings.disabled.insert(Technique::Stratified);
         const Result result = solve(scene, receivers, settings);
         for (int r = 0; r < 3; ++r)
         {

@@ -6,6 +6,7 @@
 #include "estimator/control/Receivers.h"
 #include "estimator/control/Result.h"
 #include "estimator/control/Settings.h"
+#include "estimator/solve/Replay.h"
 #include "estimator/solve/Solver.h"
 #include "statistics/Replicates.h"
 
@@ -75,7 +76,7 @@ TEST(StrategyTrial, KeepsVerticesWhereTheySpreadTheLight)
       EXPECT_FALSE(byPaths(ceiling, settings(method, seed))) << seed;
       EXPECT_FALSE(byPaths(rooms::litRoom(0.7), settings(method, seed))) << seed;
       Settings asked = settings(method, seed);
-      asked.alwaysVertices = true;
+      asked.disabled.insert(Technique::Paths);
       EXPECT_FALSE(byPaths(rooms::furnace(0.5, 100), asked)) << seed;
     }
 }
@@ -95,7 +96,8 @@ TEST(StrategyTrial, FindsAllLightByGlossAndMirrorsToo)
       for (int i = 0; i < seeds; ++i)
       {
         Settings s = settings(vertices ? Method::Compensated : method, 100 + i + vertices * seeds);
-        s.alwaysVertices = vertices != 0;
+        if (vertices != 0)
+          s.disabled = {Technique::Paths};
         const Result result = solve(scene, inTheRoom(), s);
         for (int r = 0; r < 4; ++r)
           values[vertices][r].push_back(result.illuminance[r]);

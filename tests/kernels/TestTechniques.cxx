@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every saving can be switched off, and no mean moves.
+// Every technique can be disabled, and no mean moves.
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
@@ -39,15 +39,15 @@ enum class Kind
   Grid     // furnished, with many receivers, gathered
 };
 
-// Where a saving saves.
-Kind roomFor(const std::string& saving)
+// Where a technique saves time.
+Kind roomFor(const std::string& technique)
 {
-  return saving == "convex"       ? Kind::Empty
-         : saving == "paths"      ? Kind::Luminous
-         : saving == "effort"     ? Kind::Goaled
-         : saving == "neighbours" ? Kind::Grid
-         : saving == "highlights" ? Kind::Satin
-                                  : Kind::Furnished;
+  return technique == "convex"       ? Kind::Empty
+         : technique == "paths"      ? Kind::Luminous
+         : technique == "effort"     ? Kind::Goaled
+         : technique == "neighbours" ? Kind::Grid
+         : technique == "highlights" ? Kind::Satin
+                                     : Kind::Furnished;
 }
 
 // Receivers in the open, in the panel's half-shadow and 2 mm from an edge.
@@ -75,8 +75,8 @@ Result solveRoom(Kind kind, const std::string& without, std::uint64_t seed)
     s.relativeError = 0.02;
   }
   s.seed = seed;
-  disable(without, s);
-  EXPECT_EQ(disabledTechniques(s), without);
+  s.disabled = TechniqueSet::named(without);
+  EXPECT_EQ(s.disabled.names(), without);
   return solve(scene, receivers, s);
 }
 
@@ -107,7 +107,7 @@ class Techniques : public testing::TestWithParam<const char*>
 }  // namespace
 
 // 16 seeds with and without, independent: differences of 5 receivers within 4.9 standard errors each, false alarm 1e-6
-// each, 2.5e-5 over all savings (Sidak); and a standard error below 1.2 %, so that a bias of a few percent is seen.
+// each, 2.5e-5 over all techniques (Sidak); and a standard error below 1.2 %, so that a bias of a few percent is seen.
 TEST_P(Techniques, MoveNoMean)
 {
   const std::string name = GetParam();
@@ -152,20 +152,18 @@ INSTANTIATE_TEST_SUITE_P(Each, Techniques,
 
 TEST(TechniqueNames, AreListedWhenOneIsWrong)
 {
-  Settings s;
-  disable("", s);
-  disable("near,stratified", s);
-  EXPECT_EQ(disabledTechniques(s), "stratified,near");
+  EXPECT_EQ(TechniqueSet::named("").names(), "");
+  EXPECT_EQ(TechniqueSet::named("near,stratified").names(), "stratified,near");
   try
   {
-    disable("near,walls", s);
+    TechniqueSet::named("near,walls");
     FAIL();
   }
   catch (const std::invalid_argument& error)
   {
     EXPECT_STREQ(
         error.what(),
-        "without: 'walls' is not a technique, expected some of stratified, picked, convex, near, paths, neighbours, "
+        "disable: 'walls' is not a technique, expected some of stratified, picked, convex, near, paths, neighbours, "
         "effort, highlights, exact-direct");
   }
 }

@@ -38,6 +38,12 @@ def line(text, number, new):
 
 def ies_cases():
     yield "sound", IES, set()
+    yield from ies_header_cases()
+    yield from ies_angle_cases()
+    yield from ies_spelling_cases()
+
+
+def ies_header_cases():
     yield "empty", "", "line 1: file: nothing but blanks; expected a photometric file"
     yield "blank", " \n\t\r\n  ", "line 1: file: nothing but blanks"
     yield "only-header", "IESNA:LM-63-2002\n", "line 1: TILT: the file ends before it; expected a line TILT="
@@ -78,6 +84,9 @@ def ies_cases():
     yield "size-huge", swap(IES, "0.2 0.2 0", "2000 0.2 0"), "luminous size: found 2000 m; expected less than 1000 m"
     yield "ballast-zero", swap(IES, "1 1 12", "0 1 12"), "line 6: ballast factor: found 0; expected a factor above 0"
     yield "future-use", swap(IES, "1 1 12", "1 0.9 12"), {"ies-future-use"}
+
+
+def ies_angle_cases():
     yield "angles-repeated", swap(IES, "0 22.5 45", "0 45 45"), "vertical angle: found 45 after 45; expected angles in ascending"
     yield "angles-unordered", swap(IES, "0 22.5 45", "0 45 22.5"), "vertical angle: found 22.5 after 45; expected angles in"
     yield "angles-descending", swap(IES, "0 22.5 45 67.5 90", "90 67.5 45 22.5 0"), {"ies-reversed", "ies-flux"}
@@ -95,6 +104,9 @@ def ies_cases():
     yield "candela-infinite", swap(IES, "250 120", "1e999 120"), 'found "1e999"; expected a number of ordinary size'
     yield "candela-huge", swap(IES, "250 120", "1e300 120"), "candela: found 1e+300 in plane 0 at angle 45; expected 0 or more"
     yield "candela-hex", swap(IES, "250 120", "0x1F 120"), 'found "0x1F"; expected a number'
+
+
+def ies_spelling_cases():
     yield "commas", IES.replace(" 45", ",45").replace(" 90", ", 90"), set()
     yield "comma-decimals", swap(IES, "22.5", "22,5"), {"ies-decimal-comma"}
     yield "crlf", IES.replace("\n", "\r\n"), set()

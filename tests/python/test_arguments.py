@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every array and option that can not be used is a ValueError with its name, its shape and what is expected."""
+"""Every array and option that cannot be used is a ValueError with its name, its shape and what is expected."""
 import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import numpy_to_vtk

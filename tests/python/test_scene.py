@@ -84,7 +84,7 @@ def test_files_that_are_none(tmp_path, text, message):
     (tmp_path / "scene.json").write_text(text)
     with pytest.raises(kalos.KalosError, match=message):
         kalos.Scene.read(tmp_path / "scene.json")
-    with pytest.raises(kalos.KalosError, match=r"none\.json: file: can not be read \(No such file or directory\)"):
+    with pytest.raises(kalos.KalosError, match=r"none\.json: file: cannot be read \(No such file or directory\)"):
         kalos.Scene.read(tmp_path / "none.json")
 
 

@@ -153,32 +153,7 @@ private slots:
     QCOMPARE(grid->columnCount(), 2);
     auto* legend = static_cast<LegendBar*>(this->find<QWidget>("studyLegend"));
     QVERIFY2(this->find<QLabel>("studyAbout")->text().contains("250 lx"), "the furnace is known");
-    double least = 1e9, most = 0;
-    for (int cell = 0; cell < 4; ++cell)
-    {
-      const QTableWidgetItem* item = grid->item(cell / 2, cell % 2);
-      QTRY_VERIFY(item && !item->icon().isNull());
-      QVERIFY2(
-          item->text().contains("error ") && item->text().contains("bias ") && item->text().endsWith(QLatin1Char('s')),
-          qPrintable(item->text()));
-      // All on one scale: in the middle of the desk each picture has the colour of the mean of the four cells there.
-      vtkDataArray* lux = arrayOf(bench->results()[cell]->set("desk"), "Illuminance");
-      const double middle =
-          (lux->GetComponent(19, 0) + lux->GetComponent(20, 0) + lux->GetComponent(27, 0) + lux->GetComponent(28, 0)) /
-          4;
-      const unsigned char* wanted = legend->legend().colours->MapValue(middle);
-      const QImage picture = item->icon().pixmap(132).toImage();
-      const QColor found = picture.pixelColor(picture.width() / 2, picture.height() / 2);
-      QVERIFY2(
-          std::abs(found.red() - wanted[0]) + std::abs(found.green() - wanted[1]) + std::abs(found.blue() - wanted[2]) <
-              12,
-          qPrintable(QStringLiteral("%1: %2").arg(cell).arg(found.name())));
-      const double top = rangeOf({bench->results()[cell]}, bench->display())[1];
-      least = std::min(least, top);
-      most = std::max(most, top);
-    }
-    QVERIFY2(least < most, "scales of their own would differ");
-    QCOMPARE(legend->legend().colours->GetTableRange()[1], rangeOf(bench->results(), bench->display())[1]);
+    this->checkPictures(*grid, *legend);
     this->keep("10-study");
     QTest::mouseClick(grid->viewport(), Qt::LeftButton, Qt::NoModifier,
                       grid->visualItemRect(grid->item(0, 1)).center());
@@ -201,6 +176,39 @@ private slots:
     QCOMPARE(chart.series.size(), bench->results().size());
     QVERIFY(chart.series.last().points.size() > 1);
     this->keep("11-speed");
+  }
+
+private:
+  // The four pictures of a study have one scale, and words.
+  void checkPictures(const QTableWidget& grid, const LegendBar& legend)
+  {
+    const Workbench* bench = this->Window->bench();
+    double least = 1e9, most = 0;
+    for (int cell = 0; cell < 4; ++cell)
+    {
+      const QTableWidgetItem* item = grid.item(cell / 2, cell % 2);
+      QTRY_VERIFY(item && !item->icon().isNull());
+      QVERIFY2(
+          item->text().contains("error ") && item->text().contains("bias ") && item->text().endsWith(QLatin1Char('s')),
+          qPrintable(item->text()));
+      // All on one scale: in the middle of the desk each picture has the colour of the mean of the four cells there.
+      vtkDataArray* lux = arrayOf(bench->results()[cell]->set("desk"), "Illuminance");
+      const double middle =
+          (lux->GetComponent(19, 0) + lux->GetComponent(20, 0) + lux->GetComponent(27, 0) + lux->GetComponent(28, 0)) /
+          4;
+      const unsigned char* wanted = legend.legend().colours->MapValue(middle);
+      const QImage picture = item->icon().pixmap(132).toImage();
+      const QColor found = picture.pixelColor(picture.width() / 2, picture.height() / 2);
+      QVERIFY2(
+          std::abs(found.red() - wanted[0]) + std::abs(found.green() - wanted[1]) + std::abs(found.blue() - wanted[2]) <
+              12,
+          qPrintable(QStringLiteral("%1: %2").arg(cell).arg(found.name())));
+      const double top = rangeOf({bench->results()[cell]}, bench->display())[1];
+      least = std::min(least, top);
+      most = std::max(most, top);
+    }
+    QVERIFY2(least < most, "scales of their own would differ");
+    QCOMPARE(legend.legend().colours->GetTableRange()[1], rangeOf(bench->results(), bench->display())[1]);
   }
 };
 

@@ -29,7 +29,7 @@ inline std::string asUtf8(std::string text)
 }
 
 /**
- * The wish, or `absent` if it is empty, without characters that file names can not have, and with a number if it is
+ * The wish, or `absent` if it is empty, without characters that file names cannot have, and with a number if it is
  * among `taken`, where it is added.
  */
 inline std::string freeName(std::string wish, const char* absent, std::set<std::string>& taken)

@@ -191,7 +191,7 @@ private:
         return &*found->second;
       }
     }
-    this->Found.count("textures that can not be read", material, "left out", "the factor alone counts; " + problem);
+    this->Found.count("textures that cannot be read", material, "left out", "the factor alone counts; " + problem);
     return nullptr;
   }
 

@@ -112,7 +112,7 @@ private:
     const auto mean = content.empty() ? std::nullopt : readAverageColor(data, content.size(), problem);
     if (!mean)
     {
-      this->Found.count("textures that can not be read", entry.name, "left out",
+      this->Found.count("textures that cannot be read", entry.name, "left out",
                         std::string(keyword == std::string("map_kd") ? "Kd" : "Ke") + " alone counts; " + problem);
       return color;
     }

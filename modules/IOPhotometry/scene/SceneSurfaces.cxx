@@ -132,9 +132,44 @@ SceneSurfaces readSurfaces(const JsonCursor& scene, const Materials& materials, 
   return surfaces;
 }
 
+namespace
+{
+// The arrays of materials, one value or one per band for each cell.
+class MaterialArrays
+{
+public:
+  MaterialArrays(vtkPolyData* data, int bands, vtkIdType cells)
+      : Bands(bands),
+        Reflectance(newCellArray(data, vtkKalosArrayNames::Reflectance, bands, cells)),
+        Exitance(newCellArray(data, vtkKalosArrayNames::Exitance, bands, cells)),
+        Specular(newCellArray(data, vtkKalosArrayNames::Specular, 1, cells)),
+        Roughness(newCellArray(data, vtkKalosArrayNames::Roughness, 1, cells)),
+        Mirror(newCellArray(data, vtkKalosArrayNames::Mirror, 1, cells))
+  {
+  }
+
+  void set(vtkIdType cell, const Material& material)
+  {
+    const std::vector<double>& rho = material.reflectance;
+    const std::vector<double>& m = material.exitance;
+    for (int b = 0; b < this->Bands; ++b)
+    {
+      this->Reflectance->SetComponent(cell, b, rho[rho.size() == 1 ? 0 : b]);
+      this->Exitance->SetComponent(cell, b, m[m.size() == 1 ? 0 : b]);
+    }
+    this->Specular->SetValue(cell, material.specular);
+    this->Roughness->SetValue(cell, material.roughness);
+    this->Mirror->SetValue(cell, material.mirror);
+  }
+
+private:
+  int Bands;
+  vtkSmartPointer<vtkDoubleArray> Reflectance, Exitance, Specular, Roughness, Mirror;
+};
+}  // namespace
+
 vtkSmartPointer<vtkPolyData> makeSurfaceData(const std::vector<Surface>& surfaces)
 {
-  const auto bands = static_cast<int>(numberOfBands(surfaces));
   vtkIdType cells = 0;
   for (const Surface& surface : surfaces)
   {
@@ -142,11 +177,7 @@ vtkSmartPointer<vtkPolyData> makeSurfaceData(const std::vector<Surface>& surface
   }
 
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  auto reflectance = newCellArray(data, vtkKalosArrayNames::Reflectance, bands, cells);
-  auto exitance = newCellArray(data, vtkKalosArrayNames::Exitance, bands, cells);
-  auto specular = newCellArray(data, vtkKalosArrayNames::Specular, 1, cells);
-  auto roughness = newCellArray(data, vtkKalosArrayNames::Roughness, 1, cells);
-  auto mirror = newCellArray(data, vtkKalosArrayNames::Mirror, 1, cells);
+  MaterialArrays materials(data, static_cast<int>(numberOfBands(surfaces)), cells);
   vtkNew<vtkIntArray> ids;
   ids->SetName(vtkKalosArrayNames::SurfaceId);
   ids->SetNumberOfTuples(cells);
@@ -175,17 +206,7 @@ vtkSmartPointer<vtkPolyData> makeSurfaceData(const std::vector<Surface>& surface
       {
         polygons->InsertCellPoint(firstPoint + mesh.corners[i]);
       }
-      const Material& material = mesh.palette[mesh.materialOf[p]];
-      for (int b = 0; b < bands; ++b)
-      {
-        const std::vector<double>& rho = material.reflectance;
-        const std::vector<double>& m = material.exitance;
-        reflectance->SetComponent(cell, b, rho[rho.size() == 1 ? 0 : b]);
-        exitance->SetComponent(cell, b, m[m.size() == 1 ? 0 : b]);
-      }
-      specular->SetValue(cell, material.specular);
-      roughness->SetValue(cell, material.roughness);
-      mirror->SetValue(cell, material.mirror);
+      materials.set(cell, mesh.palette[mesh.materialOf[p]]);
       ids->SetValue(cell, surfaceId);
     }
   }

@@ -35,7 +35,7 @@ class Truth:
 def errors(estimates, truth, relative_to):
     """rms, 95th percentile and largest error over receivers and repetitions, (n, receivers); relative.
 
-    The truth's own noise is taken out of the rms, as it is independent; out of the others it can not be.
+    The truth's own noise is taken out of the rms, as it is independent; out of the others it cannot be.
     """
     deviation = (np.asarray(estimates)[:, truth.lit] - truth.values[truth.lit]) / truth.scale(relative_to)
     square, noise = np.mean(deviation**2), truth.noise(relative_to) ** 2

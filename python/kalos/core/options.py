@@ -18,7 +18,7 @@ METHODS = {"compensated": 5, "gathered": 6, "local": 0, "sphere-published": 1, "
            "direct": 7}
 
 
-# What vtkKalosIlluminance::Without switches off; none changes a mean.
+# Names for vtkKalosIlluminance::DisabledTechniques; none adds bias.
 TECHNIQUES = ("stratified", "picked", "convex", "near", "paths", "neighbours", "effort", "highlights", "exact-direct")
 
 
@@ -50,7 +50,7 @@ class Options:
         estimator.SetEpsilon(self.epsilon or 0)
         estimator.SetRelativeError(self.error or 0)
         estimator.SetErrorFloor(-1 if self.error_floor is None else self.error_floor)
-        estimator.SetWithout(",".join(self.disable))
+        estimator.SetDisabledTechniques(",".join(self.disable))
         estimator.SetSeconds(self.time or 0)
         estimator.SetSeed(self.seed)
         estimator.SetThreads(self.threads)

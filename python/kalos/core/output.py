@@ -54,7 +54,7 @@ def write_vtp(path, dataset):
     """A vtkPolyData as a file that every VTK reads."""
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(str(path))
-    writer.SetDataModeToBinary()  # raw appended data: VTK 9.2 can not read it with expat 2.5.0-1+deb12u2 and later
+    writer.SetDataModeToBinary()  # raw appended data: VTK 9.2 cannot read it with expat 2.5.0-1+deb12u2 and later
     writer.SetInputData(dataset)
     update(writer, writer.Write)
 

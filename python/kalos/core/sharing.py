@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonCore import vtkDataArray, vtkObjectBase
 def shared(values: np.ndarray, name: Optional[str] = None) -> vtkDataArray:
     """A VTK array on the memory of `values`; a copy where that memory is VTK's already.
 
-    VTK's wrapping can not take a VTK array that keeps another one alive through NumPy: it damages its own tables when both
+    VTK's wrapping cannot take a VTK array that keeps another one alive through NumPy: it damages its own tables when both
     go (VTK 9.2). So the view that vtk_to_numpy() makes, or an array made from it without a copy, is copied.
     """
     array = numpy_to_vtk(values, deep=of_vtk(values))

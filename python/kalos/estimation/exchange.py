@@ -10,7 +10,7 @@ def marshalled(dataset):
     """A VTK data object as its class and bytes."""
     buffer = vtkCharArray()
     if not vtkCommunicator.MarshalDataObject(dataset, buffer):
-        raise TypeError(f"{dataset.GetClassName()} can not be pickled")
+        raise TypeError(f"{dataset.GetClassName()} cannot be pickled")
     return type(dataset), vtk_to_numpy(buffer).tobytes()
 
 

@@ -3,7 +3,7 @@
 
 A peer is a class with NAME (as in --peers), LABEL, EFFORT (what its effort counts) and START (the least effort), made from
 the arrays of kalos.peers.description and a number of threads; its solve(effort, seed) returns a Run. Where it is not
-installed or can not model the scene the constructor raises Absent, with the reason as a sentence.
+installed or cannot model the scene the constructor raises Absent, with the reason as a sentence.
 
 They are looked for in the Python interpreter that the environment variable KALOS_PEERS_PYTHON names, else in the one that
 runs: `python3 -m venv peers && peers/bin/pip install mitsuba pyradiance` makes such a one.

@@ -19,7 +19,7 @@ class Look:
     isolines: bool = False
 
     def check(self):
-        """Raises KalosError where it can not be drawn."""
+        """Raises KalosError where it cannot be drawn."""
         from matplotlib import colormaps
 
         if self.colours != OWN_COLOURS and self.colours not in colormaps:

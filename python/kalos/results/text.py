@@ -47,7 +47,7 @@ def result_text(summary):
         lines.append(f"  {task['receivers']}: {limits} required: {task['result']}")
     lines.append("  ± is one standard error: the true value is within two of them in about 95 of 100 cases")
     if any(figures["untrusted"] for figures in summary["receivers"].values()):
-        lines.append("  untrusted: receivers whose standard error can not be believed, as a few single scores dominate the estimate")
+        lines.append("  untrusted: receivers whose standard error cannot be believed, as a few single scores dominate the estimate")
     for name, figures in summary["receivers"].items():
         if figures["left_out"]:
             lines.append(f"  {figures['left_out']} of {figures['points']} points of {name} are left out: inside a solid, below a surface or outside")

@@ -26,7 +26,7 @@ def clearance(points, normals, faces):
     nearest = np.full(len(points), np.inf)
     for corners in faces:
         reach = np.linalg.norm(corners[1:] - corners[0], axis=1).max()
-        # A face whose nearest possible point is farther than what is known already can not change anything.
+        # A face whose nearest possible point is farther than what is known already cannot change anything.
         could = np.linalg.norm(points - corners[0], axis=1) - reach < nearest
         nearest[could] = np.minimum(nearest[could], distance_in_front(points[could], normals[could], corners, touch))
     return nearest

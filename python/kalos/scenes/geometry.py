@@ -3,7 +3,7 @@
 
 Lengths are metres. NumPy arrays of numbers are shared with VTK, not copied: they must be C-contiguous,
 float64 or float32, and a later change of the array changes the scene (call Modified() on the vtkPolyData). Indices, int64 or
-int32, are copied: vtkCellArray can not keep NumPy's memory alive. Whatever is wrong with an argument is a ValueError that
+int32, are copied: vtkCellArray cannot keep NumPy's memory alive. Whatever is wrong with an argument is a ValueError that
 names it.
 """
 from __future__ import annotations

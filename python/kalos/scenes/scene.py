@@ -56,7 +56,7 @@ class Scene:
         try:
             document = json.loads(path.read_text(encoding="utf-8-sig"))
         except OSError as error:
-            raise KalosError(f"{path}: file: can not be read ({error.strerror}), expected a scene file") from None
+            raise KalosError(f"{path}: file: cannot be read ({error.strerror}), expected a scene file") from None
         except ValueError as error:
             raise KalosError(f"{path}: file: {error}, expected JSON") from None
         if not isinstance(document, dict) or document.get("kalos") != 1:

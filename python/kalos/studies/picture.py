@@ -76,7 +76,7 @@ def figures_line(cell):
 
 
 def draw_panel(axes, subject, values, scale):
-    """An image, a plan of the first flat set of cells, or a chart of what can not be laid on paper."""
+    """An image, a plan of the first flat set of cells, or a chart of what cannot be laid on paper."""
     normalised = values / max(float(values.max()), 1e-300)
     if subject.is_image:
         axes.imshow(normalised.reshape(subject.resolution[::-1]), origin="lower", cmap=scale.colours, norm=scale.norm,

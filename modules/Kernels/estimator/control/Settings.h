@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "estimator/control/Techniques.h"
 #include "sampling/SampleStream.h"
 
 namespace kalos
@@ -33,27 +34,23 @@ struct Settings
       -1;              ///< lx, half-width that is small enough for any value; < 0: automatic, estimator/tally/Goal.h
   double seconds = 0;  ///< goal: stop after this time; 0: no such goal
   std::uint64_t seed = 1;
-  Sampling sampling = Sampling::Sobol;  ///< of trajectories, shadow and gather rays
-  int threads = 0;                      ///< 0: all processors
-  double delta = 0;                     ///< m, distance below which the sphere methods average; <= 0: automatic
-  bool keepReplicates = false;          ///< fill Result::replicateIlluminance
+  TechniqueSet disabled;        ///< techniques to do without; none adds bias
+  int threads = 0;              ///< 0: all processors
+  double delta = 0;             ///< m, distance below which the sphere methods average; <= 0: automatic
+  bool keepReplicates = false;  ///< fill Result::replicateIlluminance
   double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; 0: automatic
-
-  // Disabled techniques (estimator/control/Techniques.h); none adds bias.
-  bool gatherEverywhere = false;   ///< gather rays even where nothing is near
-  bool shadowEveryPair = false;    ///< a shadow ray for every pair that scores
-  bool shadowConvexRooms = false;  ///< shadow rays where nothing can occlude
-  bool alwaysVertices = false;     ///< use vertices even where paths from the receivers are better
-  bool ownRays = false;            ///< a gather ray lights only the receiver that sent it, not its neighbours
-  bool evenEffort = false;         ///< all receivers continue until the last has reached the goal
-  bool vertexHighlights = false;   ///< highlights of luminaires by vertices and gather rays alone
-  bool sampleDirect = false;       ///< sample area emitters instead of using their closed form
 
   const Ranks* ranks = nullptr;  ///< processes that share the solve; null: only this one
 
   CheckpointStore* checkpoint = nullptr;  ///< where the solve is saved and resumed; null: nowhere
 
-  Walks walks() const { return {this->seed, this->sampling}; }
+  bool uses(Technique t) const { return !this->disabled.contains(t); }
+
+  /// The random numbers of trajectories, shadow and gather rays.
+  Walks walks() const
+  {
+    return {this->seed, this->uses(Technique::Stratified) ? Sampling::Sobol : Sampling::Independent};
+  }
 };
 
 /// Trajectories of a solve without goal and limit. Automatic lengths assume this number where there is no limit.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/control/Techniques.h"
 
+#include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -8,55 +10,50 @@ namespace kalos
 {
 namespace
 {
-struct Technique
+struct Name
 {
+  Technique technique;
   const char* name;
-  bool (*isOff)(const Settings&);
-  void (*disable)(Settings&);
 };
 
-const Technique techniques[] = {
-    {"stratified", [](const Settings& s) { return s.sampling == Sampling::Independent; },
-     [](Settings& s) { s.sampling = Sampling::Independent; }},
-    {"picked", [](const Settings& s) { return s.shadowEveryPair; }, [](Settings& s) { s.shadowEveryPair = true; }},
-    {"convex", [](const Settings& s) { return s.shadowConvexRooms; }, [](Settings& s) { s.shadowConvexRooms = true; }},
-    {"near", [](const Settings& s) { return s.gatherEverywhere; }, [](Settings& s) { s.gatherEverywhere = true; }},
-    {"paths", [](const Settings& s) { return s.alwaysVertices; }, [](Settings& s) { s.alwaysVertices = true; }},
-    {"neighbours", [](const Settings& s) { return s.ownRays; }, [](Settings& s) { s.ownRays = true; }},
-    {"effort", [](const Settings& s) { return s.evenEffort; }, [](Settings& s) { s.evenEffort = true; }},
-    {"highlights", [](const Settings& s) { return s.vertexHighlights; },
-     [](Settings& s) { s.vertexHighlights = true; }},
-    {"exact-direct", [](const Settings& s) { return s.sampleDirect; }, [](Settings& s) { s.sampleDirect = true; }},
-};
-}  // namespace
+constexpr Name known[] = {{Technique::Stratified, "stratified"},
+                          {Technique::Picked, "picked"},
+                          {Technique::Convex, "convex"},
+                          {Technique::Near, "near"},
+                          {Technique::Paths, "paths"},
+                          {Technique::Neighbours, "neighbours"},
+                          {Technique::Effort, "effort"},
+                          {Technique::Highlights, "highlights"},
+                          {Technique::ExactDirect, "exact-direct"}};
 
-void disable(const std::string& names, Settings& settings)
-{
-  std::istringstream list(names);
-  for (std::string name; std::getline(list, name, ',');)
-  {
-    bool known = false;
-    std::string all;
-    for (const Technique& technique : techniques)
-    {
-      all += std::string(all.empty() ? "" : ", ") + technique.name;
-      if (name == technique.name)
-      {
-        technique.disable(settings);
-        known = true;
-      }
-    }
-    if (!known)
-      throw std::invalid_argument("without: '" + name + "' is not a technique, expected some of " + all);
-  }
-}
-
-std::string disabledTechniques(const Settings& settings)
+template <class Condition>
+std::string list(const char* separator, const Condition& condition)
 {
   std::string names;
-  for (const Technique& technique : techniques)
-    if (technique.isOff(settings))
-      names += std::string(names.empty() ? "" : ",") + technique.name;
+  for (const Name& n : known)
+    if (condition(n.technique))
+      names += (names.empty() ? "" : separator) + std::string(n.name);
   return names;
+}
+}  // namespace
+
+TechniqueSet TechniqueSet::named(const std::string& names)
+{
+  TechniqueSet set;
+  std::istringstream words(names);
+  for (std::string word; std::getline(words, word, ',');)
+  {
+    const auto* found = std::find_if(std::begin(known), std::end(known), [&](const Name& n) { return word == n.name; });
+    if (found == std::end(known))
+      throw std::invalid_argument("disable: '" + word + "' is not a technique, expected some of " +
+                                  list(", ", [](Technique) { return true; }));
+    set.insert(found->technique);
+  }
+  return set;
+}
+
+std::string TechniqueSet::names() const
+{
+  return list(",", [this](Technique t) { return this->contains(t); });
 }
 }  // namespace kalos

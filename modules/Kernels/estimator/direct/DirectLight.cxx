@@ -52,18 +52,17 @@ double DirectLight::pointIlluminance(const Luminaire& luminaire, const Sensor& s
   return intensity(luminaire, (-1 / d) * toLamp) * cosine / (d2 * d);
 }
 
-bool DirectLight::shinesAt(const Area& area, const Sensor& sensor) const
+bool DirectLight::shinesAt(const LuminousArea& area, const Sensor& sensor) const
 {
   if (area.opening && !isNear(*area.opening, sensor.position))
     return false;
   // A sensor in the emitter's plane, to rounding, sees nothing of it.
   const double height = dot(sensor.position - area.corner[0], area.normal);
-  const bool bothSides = area.opening && !area.opening->isOneSided();
   const double rounding = 1e-14 * (this->Scene_.size() + maxAbs(this->Scene_.origin()));
-  return (bothSides ? std::abs(height) : height) > rounding;
+  return (area.isTwoSided() ? std::abs(height) : height) > rounding;
 }
 
-double DirectLight::formFactor(const Area& area, const Sensor& sensor) const
+double DirectLight::formFactor(const LuminousArea& area, const Sensor& sensor) const
 {
   return this->shinesAt(area, sensor) ? polygonFormFactor(sensor.position, sensor.normal, area.corner, area.count) : 0;
 }
@@ -81,7 +80,7 @@ void DirectLight::prepareView(const Sensor& sensor, View& view) const
   }
   view.points = uniformBands(pointSum);
   double sum = 0;
-  for (const Area& area : this->Areas)
+  for (const LuminousArea& area : this->Areas)
   {
     const double factor = this->formFactor(area, sensor);
     for (int b = 0; b < this->Scene_.bands() && !area.opening; ++b)
@@ -89,111 +88,6 @@ void DirectLight::prepareView(const Sensor& sensor, View& view) const
     sum += factor * photometric(area.exitance, this->Scene_.bands());
     view.cumulative.push_back(sum);
   }
-}
-
-RayAnchor DirectLight::anchorOn(const Area& area, const Vec3& p, bool behind)
-{
-  return {p, behind ? -area.normal : area.normal, area.anchor.base, area.anchor.slope};
-}
-
-bool DirectLight::meets(const Area& area, const Vec3& origin, const Vec3& direction, double& distance)
-{
-  const double facing = -dot(direction, area.normal);
-  const bool behind = area.opening && !area.opening->isOneSided() && facing < 0;
-  if (!(facing > 0 || behind))
-    return false;
-  distance = dot(origin - area.corner[0], area.normal) / facing;
-  if (!(distance > 0))
-    return false;
-  const Vec3 p = origin + distance * direction;
-  // The corners turn about the normal or against it: to the left of all sides, or to the right of all.
-  int left = 0;
-  for (int i = 0; i < area.count; ++i)
-    left += dot(cross(area.corner[(i + 1) % area.count] - area.corner[i], p - area.corner[i]), area.normal) >= 0;
-  return left == 0 || left == area.count;
-}
-
-// A rectangle is two triangles. From a point close above it, which sees nearly a hemisphere of it, these degenerate:
-// there it is a fan about the point's foot.
-DirectLight::Parts DirectLight::parts(const Area& area, const Vec3& from)
-{
-  constexpr double close = 1e-3;  // of the longest side
-  const Vec3* c = area.corner;
-  const double height = dot(from - c[0], area.normal);
-  const double longest = std::max(dot(c[1] - c[0], c[1] - c[0]), dot(c[2] - c[1], c[2] - c[1]));
-  Parts parts;
-  if (height * height > close * close * longest)
-  {
-    for (int i = 2; i < area.count; ++i)
-      parts.add({from, c[0], c[i - 1], c[i]});
-    return parts;
-  }
-  const Vec3 foot = nearestPoint(c, area.count, from);
-  for (int i = 0; i < area.count; ++i)
-  {
-    const Vec3 &a = c[i], &b = c[(i + 1) % area.count], n = cross(b - a, foot - a);
-    if (dot(n, n) > 1e-28 * longest * longest)  // the foot does not lie on this side
-      parts.add({from, foot, a, b});
-  }
-  return parts;
-}
-
-double DirectLight::solidAngle(const Area& area, const Vec3& from)
-{
-  double sum = 0;
-  for (const SphericalTriangle& part : parts(area, from))
-    sum += part.solidAngle();
-  return sum;
-}
-
-bool DirectLight::isAfar(const Area& area, const Vec3& p)
-{
-  constexpr double afar = 4;  // times the larger of two sides: what a point of the area sends differs by a tenth
-  const Vec3 u = area.corner[1] - area.corner[0], v = area.corner[area.count - 1] - area.corner[0];
-  const Vec3 d = p - 0.5 * (area.corner[1] + area.corner[area.count - 1]);
-  return dot(d, d) > afar * afar * std::max(dot(u, u), dot(v, v));
-}
-
-bool DirectLight::samplePoint(const Area& area, const Sensor& sensor, double u1, double u2, AreaSample& sample) const
-{
-  const Vec3 u = area.corner[1] - area.corner[0], v = area.corner[area.count - 1] - area.corner[0];
-  const bool outside = area.count == 3 && u1 + u2 > 1;  // of a triangle: the other half of the parallelogram
-  const Vec3 point = area.corner[0] + (outside ? 1 - u1 : u1) * u + (outside ? 1 - u2 : u2) * v;
-  const Vec3 d = point - sensor.position;
-  const double d2 = dot(d, d), cosine = dot(d, sensor.normal), facing = -dot(d, area.normal);  // times |d|
-  const bool behind = area.opening && !area.opening->isOneSided() && facing < 0;
-  if (!(cosine > 0) || !(facing > 0 || behind))
-    return false;
-  const double size = (area.count == 3 ? 0.5 : 1) * length(cross(u, v)), distance = std::sqrt(d2);
-  sample.solidAngle = size * std::abs(facing) / (d2 * distance);
-  sample.direction = (1 / distance) * d;
-  sample.target = this->anchorOn(area, point, behind);
-  return true;
-}
-
-bool DirectLight::sampleArea(const Area& area, const Sensor& sensor, double u1, double u2, double u3,
-                             AreaSample& sample) const
-{
-  const Vec3& r = sensor.position;
-  if (!sensor.brdf && this->isAfar(area, r))
-    return this->samplePoint(area, sensor, u2, u3, sample);
-  const Parts parts = DirectLight::parts(area, r);
-  sample.solidAngle = 0;
-  for (const SphericalTriangle& part : parts)
-    sample.solidAngle += part.solidAngle();
-  if (!(sample.solidAngle > 0))
-    return false;
-  const SphericalTriangle* part = parts.begin();
-  for (double left = u1 * sample.solidAngle; left >= part->solidAngle() && part + 1 != parts.end(); ++part)
-    left -= part->solidAngle();
-  sample.direction = part->sample(u2, u3);
-  const double cosine = dot(sample.direction, sensor.normal), facing = -dot(sample.direction, area.normal);
-  const bool behind = area.opening && !area.opening->isOneSided() && facing < 0;
-  if (!(cosine > 0) || !(facing > 0 || behind))
-    return false;
-  const double distance = dot(area.corner[0] - r, area.normal) / -facing;
-  sample.target = this->anchorOn(area, r + distance * sample.direction, behind);
-  return true;
 }
 
 namespace
@@ -209,15 +103,6 @@ std::size_t draw(const std::vector<double>& cumulative, double u, double& share)
 }
 }  // namespace
 
-Bands DirectLight::exitanceTowards(const Area& area, const Vec3& fromSensor) const
-{
-  if (!area.opening)
-    return area.exitance;
-  const double projected =
-      length(cross(area.opening->sideU, area.opening->sideV)) * std::abs(dot(fromSensor, area.normal));
-  return uniformBands(pi * intensity(*area.opening, -fromSensor) / projected);
-}
-
 double DirectLight::sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const
 {
   w = {};
@@ -225,11 +110,11 @@ double DirectLight::sampleAreas(const Sensor& sensor, const View& view, SampleSt
   if (view.cumulative.empty() || !(view.cumulative.back() > 0))
     return 0;
   double share;
-  const Area& area = this->Areas[draw(view.cumulative, u0, share)];
+  const LuminousArea& area = this->Areas[draw(view.cumulative, u0, share)];
   AreaSample sample;
-  if (!(share > 0) || !this->sampleArea(area, sensor, u1, u2, u3, sample))
+  if (!(share > 0) || !area.sample(sensor, u1, u2, u3, sample))
     return 0;
-  const Bands exitance = this->exitanceTowards(area, sample.direction);
+  const Bands exitance = area.exitanceTowards(sample.direction);
   for (int b = 0; b < this->Scene_.bands(); ++b)
     w[b] = exitance[b] / pi * dot(sample.direction, sensor.normal) * sample.solidAngle / share;
   const bool visible = !this->Shadows || !this->Scene_.rays().occluded(sensor.anchor, sample.target);
@@ -249,7 +134,7 @@ void DirectLight::weigh(const Sensor& sensor, LuminaireWeights& weights) const
     {
       if (!(weights.weight[i] < 0))
         continue;
-      const Area& area = this->Areas[this->AreaOf[i]];
+      const LuminousArea& area = this->Areas[this->AreaOf[i]];
       const double e =
           this->formFactor(area, sensor) * area.exitance[0] + this->pointIlluminance(luminaires[i], sensor);
       weights.weight[i] = static_cast<float>(e);
@@ -289,13 +174,13 @@ bool DirectLight::aim(const Sensor& sensor, SampleStream& random, AreaSample& sa
     arriving = uniformBands(e / share);
     return true;
   }
-  const Area& area = this->Areas[this->AreaOf[k]];
+  const LuminousArea& area = this->Areas[this->AreaOf[k]];
   const double u1 = random.next(), u2 = random.next(), u3 = random.next();
-  if (!this->shinesAt(area, sensor) || !this->sampleArea(area, sensor, u1, u2, u3, sample))
+  if (!this->shinesAt(area, sensor) || !area.sample(sensor, u1, u2, u3, sample))
     return false;
   // MIS with the lobe's sample: balance heuristic.
   const double density = share / sample.solidAngle + (sensor.brdf ? gatherDensity(sensor, sample.direction) : 0);
-  const Bands exitance = this->exitanceTowards(area, sample.direction);
+  const Bands exitance = area.exitanceTowards(sample.direction);
   for (int b = 0; b < this->Scene_.bands(); ++b)
     arriving[b] = exitance[b] / pi * dot(sample.direction, sensor.normal) / density;
   return true;
@@ -361,17 +246,17 @@ void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const L
   const Bands weight = responseToLuminaires(sensor, ray.direction, this->Scene_.bands());
   for (std::size_t i = 0; i < this->LuminaireOf.size(); ++i)
   {
-    const Area& area = this->Areas[i];
+    const LuminousArea& area = this->Areas[i];
     const double share = weights.share(this->LuminaireOf[i]);
     double distance;
-    if (!(share > 0) || !this->shinesAt(area, sensor) || !meets(area, sensor.position, ray.direction, distance))
+    if (!(share > 0) || !this->shinesAt(area, sensor) || !area.meets(sensor.position, ray.direction, distance))
       continue;
     const bool behind = dot(ray.direction, area.normal) >= 0;
     const Vec3 met = sensor.position + distance * ray.direction;
-    if (this->Shadows && this->Scene_.rays().occluded(sensor.anchor, this->anchorOn(area, met, behind)))
+    if (this->Shadows && this->Scene_.rays().occluded(sensor.anchor, area.anchorAt(met, behind)))
       continue;
-    const double density = share / solidAngle(area, sensor.position) + ray.density;
-    const Bands exitance = this->exitanceTowards(area, ray.direction);
+    const double density = share / area.solidAngle(sensor.position) + ray.density;
+    const Bands exitance = area.exitanceTowards(ray.direction);
     for (int b = 0; b < this->Scene_.bands(); ++b)
       sum[b] += weight[b] * exitance[b] / pi * dot(ray.direction, sensor.normal) / density;
   }
@@ -381,12 +266,12 @@ void DirectLight::addSeen(const Vec3& origin, const Vec3& direction, const Surfa
                           double* sum) const
 {
   const double end = y.valid ? length(y.position - origin) : std::numeric_limits<double>::infinity();
-  for (const Area& area : this->Areas)
+  for (const LuminousArea& area : this->Areas)
   {
     double distance;
-    if (area.count != 4 || !meets(area, origin, direction, distance) || !(distance < end))
+    if (area.count != 4 || !area.meets(origin, direction, distance) || !(distance < end))
       continue;
-    const Bands exitance = this->exitanceTowards(area, direction);
+    const Bands exitance = area.exitanceTowards(direction);
     for (int b = 0; b < this->Scene_.bands(); ++b)
       sum[b] += throughput[b] * exitance[b];
   }

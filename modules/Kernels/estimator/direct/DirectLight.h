@@ -3,11 +3,10 @@
 #ifndef kalos_estimator_direct_DirectLight_h
 #define kalos_estimator_direct_DirectLight_h
 
-#include <array>
 #include <vector>
 
 #include "estimator/direct/LightSampler.h"
-#include "geometry/Polygon.h"
+#include "estimator/direct/LuminousArea.h"
 #include "sampling/SampleStream.h"
 
 namespace kalos
@@ -71,58 +70,21 @@ public:
   bool fluctuates() const { return this->HasOpenings || (this->Shadows && !this->Areas.empty()); }
 
 private:
-  struct Area
-  {
-    Vec3 corner[4];
-    int count;                           // corners, 3 or 4
-    Vec3 normal;                         // light leaves on this side
-    Bands exitance;                      // lm/m2
-    const Luminaire* opening = nullptr;  // of a measured distribution; null: Lambertian
-    RayAnchor anchor;                    // of one of its points
-  };
-
   double pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const;  // unshadowed, lx; 0 for areas
-  bool shinesAt(const Area& area, const Sensor& sensor) const;        // as an area, from the side that is lit
-  double formFactor(const Area& area, const Sensor& sensor) const;    // unshadowed, 0 where it does not shine
-  void weigh(const Sensor& sensor, LuminaireWeights& weights) const;  // of luminaires, by which sample() draws
+  bool shinesAt(const LuminousArea& area, const Sensor& sensor) const;      // as an area, from the side that is lit
+  double formFactor(const LuminousArea& area, const Sensor& sensor) const;  // unshadowed, 0 where it does not shine
+  void weigh(const Sensor& sensor, LuminaireWeights& weights) const;        // of luminaires, by which sample() draws
 
-  // A point of an area emitter, seen from the sensor in a direction uniform in solid angle; from afar, and without
-  // BRDF, uniform on the area, which costs a tenth.
-  struct AreaSample
-  {
-    Vec3 direction;
-    RayAnchor target;
-    double solidAngle;  // sr, of the emitter; or what stands for it, one over the direction's density
-  };
-  Bands exitanceTowards(const Area& area, const Vec3& fromSensor) const;  // pi times the luminance, lm/m2
-  // Triangles whose solid angles, seen from a point, make up an area's.
-  struct Parts
-  {
-    std::array<SphericalTriangle, 4> triangle;
-    int count = 0;
-
-    void add(const SphericalTriangle& t) { this->triangle[static_cast<std::size_t>(this->count++)] = t; }
-    const SphericalTriangle* begin() const { return this->triangle.data(); }
-    const SphericalTriangle* end() const { return this->triangle.data() + this->count; }
-  };
-  static Parts parts(const Area& area, const Vec3& from);
-  static double solidAngle(const Area& area, const Vec3& from);  // sr
-  static RayAnchor anchorOn(const Area& area, const Vec3& p, bool behind);
-  static bool meets(const Area& area, const Vec3& origin, const Vec3& direction, double& distance);  // on a lit side
   // The contribution of sample() if nothing hides it; false when it is 0. A lobe's sample goes to `lobe`.
   bool aim(const Sensor& sensor, SampleStream& random, AreaSample& sample, Bands& arriving, Bands& lobe) const;
   void sampleLobe(const Sensor& sensor, SampleStream& random, const LuminaireWeights& weights, Bands& sum) const;
-  static bool isAfar(const Area& area, const Vec3& p);
-  bool samplePoint(const Area& area, const Sensor& sensor, double u1, double u2, AreaSample& sample) const;
-  // False when the emitter is not seen there.
-  bool sampleArea(const Area& area, const Sensor& sensor, double u1, double u2, double u3, AreaSample& sample) const;
 
   static constexpr std::size_t noArea = ~std::size_t{0};
 
   const Scene& Scene_;
   bool Shadows;
   bool HasOpenings = false;
-  std::vector<Area> Areas;
+  std::vector<LuminousArea> Areas;
   std::vector<std::size_t> LuminaireOf, AreaOf;  // of an area that belongs to no mesh; of a luminaire, or noArea
   LightSampler Choice;
 };

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/direct/ReceiverDirectLight.h"
 
-#include <iomanip>
-#include <sstream>
-#include "estimator/control/Receivers.h"
-#include "estimator/control/Result.h"
-#include "estimator/control/Settings.h"
-
+#include "estimator/direct/DirectLightAudit.h"
 #include "estimator/tracing/VertexRound.h"
 #include "scene/RayBatch.h"
 
@@ -30,11 +25,11 @@ std::vector<Vec3> inScene(const Scene& scene, const std::vector<Vec3>& points)
   return moved;
 }
 
-Audit auditFor(const Scene& scene, const Receivers& receivers, const Settings& settings)
+SceneNeeds findNeeds(const Scene& scene, const Receivers& receivers, const Settings& settings)
 {
-  Audit found = auditScene(scene, inScene(scene, receivers.points));
-  found.unoccluded = found.unoccluded && !settings.shadowConvexRooms;
-  return found;
+  SceneNeeds needs = kalos::findNeeds(scene, inScene(scene, receivers.points));
+  needs.unoccluded = needs.unoccluded && settings.uses(Technique::Convex);
+  return needs;
 }
 }  // namespace
 
@@ -43,14 +38,14 @@ ReceiverDirectLight::ReceiverDirectLight(const Scene& scene, const Receivers& re
     : Scene_(scene),
       PerSample(trajectoriesPerSample),
       Drawn(settings.walks()),
-      Sampled(settings.sampleDirect),
-      Found(auditFor(scene, receivers, settings)),
-      ClosedForms(!this->Sampled && this->Found.emittingTriangles <= largestExact &&
-                  this->Found.emittingTriangles * receivers.points.size() <= largestViews),
+      Sampled(!settings.uses(Technique::ExactDirect)),
+      Needs(findNeeds(scene, receivers, settings)),
+      ClosedForms(!this->Sampled && this->Needs.emittingTriangles <= largestExact &&
+                  this->Needs.emittingTriangles * receivers.points.size() <= largestViews),
       Exact(scene, this->ClosedForms, this->shadows() || this->Sampled),
       Luminaires(scene, false, this->shadows() || this->Sampled),
       Mirrored(scene),
-      Lobes(scene, withHighlights && !settings.vertexHighlights, this->shadows() || this->Sampled)
+      Lobes(scene, withHighlights && settings.uses(Technique::Highlights), this->shadows() || this->Sampled)
 {
   this->Sensors.reserve(receivers.points.size());
   for (std::size_t i = 0; i < receivers.points.size(); ++i)
@@ -199,102 +194,17 @@ bool ReceiverDirectLight::scoreAll(long long first, int count, Workers& workers,
       });
 }
 
-AuditLine ReceiverDirectLight::auditOpenings() const
-{
-  std::size_t openings = 0, areas = 0;
-  std::vector<char> near(this->Sensors.size(), 0);
-  for (const Luminaire& l : this->Scene_.data().luminaires)
-  {
-    if (!l.isOpening())
-      continue;
-    bool area = false;
-    for (std::size_t r = 0; r < this->Sensors.size(); ++r)
-      if (isNear(l, this->Sensors[r].position))
-      {
-        area = true;
-        near[r] = 1;
-      }
-    ++openings;
-    areas += area;
-  }
-  const auto receivers = std::count(near.begin(), near.end(), 1);
-  const std::string far = areas == openings ? "" : std::to_string(openings - areas) + " as points, exact";
-  const std::string close = areas == 0 ? ""
-                                       : std::to_string(areas) + " as areas to " + std::to_string(receivers) + " of " +
-                                             std::to_string(this->Sensors.size()) + " receivers, else points";
-  return {"luminous openings", far + (far.empty() || close.empty() ? "" : "; ") + close,
-          "a receiver closer than 5 times its larger side sees the extent of an opening"};
-}
-
-AuditLine ReceiverDirectLight::auditMirrors() const
-{
-  std::ostringstream left;
-  left << "omitted chains of mirrors between a point and a receiver reflect at most " << std::setprecision(2)
-       << 100 * this->Mirrored.leftOut() << " % together";
-  if (this->Mirrored.truncated())
-    return {"warning",
-            "mirrors face each other too often: point luminaires have more than " +
-                std::to_string(MirrorImages::mostImages) + " images",
-            "further ones are left out, so that values are too low and no error is to be trusted; a small luminous "
-            "rectangle instead of a point is found by gather rays in any number of mirrors"};
-  return {"point luminaires in mirrors", std::to_string(this->Mirrored.size()) + " images, exact",
-          this->Mirrored.leftOut() > 0 ? left.str() : "every chain of mirrors is followed"};
-}
-
 std::vector<AuditLine> ReceiverDirectLight::audit() const
 {
-  std::vector<AuditLine> lines;
-  const int bands = this->Scene_.bands();
-  lines.push_back({"bands", std::to_string(bands),
-                   bands == 1   ? "all materials are photometric"
-                   : bands == 3 ? "a material has red, green and blue"
-                                : "a material has that many bands"});
-  bool glossy = false, mirror = false;
-  for (const Material& m : this->Scene_.data().materials)
-  {
-    glossy = glossy || m.specular > 0;
-    mirror = mirror || m.mirror > 0;
-  }
-  lines.push_back({"reflection",
-                   !this->Found.reflects ? "none"
-                   : glossy && mirror    ? "diffuse, glossy, mirror"
-                   : glossy              ? "diffuse, glossy"
-                   : mirror              ? "diffuse, mirror"
-                                         : "diffuse",
-                   !this->Found.reflects ? "every surface is black: all light is direct"
-                   : glossy || mirror    ? "as the materials say"
-                                         : "every luminance is rho E / pi, no second estimate is run"});
+  const auto meshes = this->ClosedForms  ? EmittingMeshes::ClosedForms
+                      : this->MeshesSeen ? EmittingMeshes::MetByPaths
+                      : this->Sampled    ? EmittingMeshes::SampledAsRequested
+                                         : EmittingMeshes::TooMany;
+  std::vector<AuditLine> lines = auditDirectLight({this->Scene_, this->Needs, this->Sensors, this->Mirrored, meshes});
   if (this->Lobes.any())
     lines.push_back({"highlights",
                      "by " + std::to_string(this->Scene_.glossyPlanes().planes().size()) + " glossy planes",
                      "light of luminaires by a glossy plane is sampled about the lamp's mirror image"});
-  if (this->Found.unoccluded)
-    lines.push_back({"shadow rays", "none", "the room is convex and empty: nothing can stand between two points"});
-  else
-    lines.push_back({"shadow rays", "traced", "surfaces may stand between two points"});
-  const auto& luminaires = this->Scene_.data().luminaires;
-  const auto points =
-      std::count_if(luminaires.begin(), luminaires.end(), [](const Luminaire& l) { return l.isPoint(); });
-  if (points)
-    lines.push_back({"point luminaires", std::to_string(points) + ", exact", "their direct light has a closed form"});
-  const auto openings =
-      std::count_if(luminaires.begin(), luminaires.end(), [](const Luminaire& l) { return l.isOpening(); });
-  if (openings)
-    lines.push_back(this->auditOpenings());
-  if (static_cast<std::size_t>(points + openings) < luminaires.size())
-    lines.push_back({"luminous rectangles", std::to_string(luminaires.size() - points - openings) + ", polygon formula",
-                     "only what hides it is sampled"});
-  if (this->Mirrored.any())
-    lines.push_back(this->auditMirrors());
-  if (this->Found.emittingTriangles)
-    lines.push_back({"emitting triangles",
-                     std::to_string(this->Found.emittingTriangles) + (this->ClosedForms  ? ", polygon formula"
-                                                                      : this->MeshesSeen ? ", met by paths"
-                                                                                         : ", trajectory starts"),
-                     this->ClosedForms  ? "only what hides it is sampled"
-                     : this->MeshesSeen ? "paths from the receivers find all light"
-                     : this->Sampled    ? "as requested"
-                                        : "too many for a closed form at every receiver"});
   return lines;
 }
 }  // namespace kalos

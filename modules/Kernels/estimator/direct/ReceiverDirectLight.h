@@ -11,7 +11,7 @@
 #include "estimator/direct/Highlights.h"
 #include "estimator/direct/MirrorImages.h"
 #include "estimator/tally/Tally.h"
-#include "scene/Audit.h"
+#include "scene/SceneNeeds.h"
 
 namespace kalos
 {
@@ -25,7 +25,7 @@ public:
                       int trajectoriesPerSample = 4);
 
   const std::vector<Sensor>& sensors() const { return this->Sensors; }
-  bool shadows() const { return !this->Found.unoccluded; }
+  bool shadows() const { return !this->Needs.unoccluded; }
 
   /// False when the starts of trajectories on emitting meshes must score at this receiver: there are too many emitting
   /// triangles for closed forms, or the receiver is glossy.
@@ -45,7 +45,7 @@ public:
   bool hasAllImages() const { return !this->Mirrored.truncated(); }
 
   /// Whether there is no other light: nothing reflects, and all emission has a closed form.
-  bool complete() const { return !this->Found.reflects && this->ClosedForms; }
+  bool complete() const { return !this->Needs.reflects && this->ClosedForms; }
 
   /// Fills the fixed part of the tally: direct light in closed form. Returns false when aborted.
   bool prepare(Workers& workers, Tally& tally);
@@ -67,14 +67,12 @@ private:
   Bands highlights(std::size_t receiver, int replicate, long long first, int count) const;
   void measureVisibility(std::size_t receiver);
   bool isSteady(std::size_t receiver) const;
-  AuditLine auditOpenings() const;
-  AuditLine auditMirrors() const;
 
   const Scene& Scene_;
   int PerSample;
   Walks Drawn;
   bool Sampled;  // no closed forms of areas
-  Audit Found;
+  SceneNeeds Needs;
   bool ClosedForms, MeshesSeen = false;
   DirectLight Exact;       // luminaires, and meshes where closed forms serve
   DirectLight Luminaires;  // luminaires only

@@ -14,10 +14,10 @@ GatherContext::GatherContext(const Scene& scene, const Emission& emission, const
     : Scene_(scene),
       Density(scene, emission, settings.walks()),
       Shadows(shadows),
-      EveryPair(settings.shadowEveryPair),
+      EveryPair(!settings.uses(Technique::Picked)),
       Luminaires(scene, false, shadows),
       Mirrored(scene),
-      Lobes(scene, !settings.vertexHighlights, shadows)
+      Lobes(scene, settings.uses(Technique::Highlights), shadows)
 {
 }
 

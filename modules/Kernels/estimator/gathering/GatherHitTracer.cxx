@@ -36,7 +36,7 @@ void GatherHitTracer::trace(std::size_t tile, const GatherRound& round, GatherHi
   const auto replicate = static_cast<std::uint64_t>(round.replicate);
   const std::uint64_t key = mixBits(mixBits(this->Settings_.seed + tile) + replicate) + 0x67617468;
   const int count = round.rays * this->Plan.groupSize();  // of a group, and of a receiver that shares no hits
-  const GatherPattern pattern(this->Settings_.sampling, key, round.first * this->Plan.groupSize(), count);
+  const GatherPattern pattern(this->Settings_.walks().sampling, key, round.first * this->Plan.groupSize(), count);
   ReceiverRays unshared(this->Rays, round.pool, round.replicate, tally);
   SegmentPacket drawn;
   RayPacketBuffer buffer;

@@ -33,7 +33,7 @@ bool isMostlyDiffuse(const Scene& scene)
 GatherPlan::GatherPlan(const Scene& scene, const std::vector<Sensor>& sensors, const Settings& settings)
     : Sensors(sensors),
       Seed(settings.seed),
-      OwnRays(settings.ownRays),
+      OwnRays(!settings.uses(Technique::Neighbours)),
       MostlyDiffuse(isMostlyDiffuse(scene)),
       Order(orderOf(sensors))
 {

@@ -56,8 +56,8 @@ BiasCompensation::BiasCompensation(const Scene& scene, const Emission& emission,
       Shadows(shadows),
       ReceiverCount(receivers),
       Rays(scene, emission, settings, shadows),
-      Clearance(settings.gatherEverywhere || !isDiffuse(scene) ? std::numeric_limits<double>::infinity()
-                                                               : clearance * std::sqrt(scene.surfaceArea()))
+      Clearance(!settings.uses(Technique::Near) || !isDiffuse(scene) ? std::numeric_limits<double>::infinity()
+                                                                     : clearance * std::sqrt(scene.surfaceArea()))
 {
 }
 
@@ -131,7 +131,7 @@ void BiasCompensation::scoreVertices(const Sensor& sensor, std::size_t r, int re
     for (std::size_t begin = 0; begin < set.size(); begin += VertexTile::capacity)
     {
       const auto count = static_cast<int>(std::min<std::size_t>(VertexTile::capacity, set.size() - begin));
-      const int picks = this->Settings_.shadowEveryPair ? 0 : (count + verticesPerPick - 1) / verticesPerPick;
+      const int picks = this->Settings_.uses(Technique::Picked) ? (count + verticesPerPick - 1) / verticesPerPick : 0;
       const ShadowPicks shadows{rays, picks, random.next()};
       tally.noteScore(r, replicate, addResampledScores(set, begin, count, sensor, share, shadows, sum));
     }
@@ -187,7 +187,7 @@ AuditLine BiasCompensation::audit(int replicates, const std::vector<double>& edg
   else if (std::isfinite(this->Clearance))
     reason << "where surfaces in front weigh as much as a wall within " << this->Clearance << " m; ";
   else
-    reason << (this->Settings_.gatherEverywhere ? "as requested; " : "needed for surfaces that are not diffuse; ");
+    reason << (this->Settings_.uses(Technique::Near) ? "needed for surfaces that are not diffuse; " : "as requested; ");
   reason << std::llround(std::accumulate(sent.begin(), sent.end(), 0.0)) << " rays, " << std::llround(spared)
          << " spared elsewhere";
   if (std::isfinite(this->Clearance) && edgeDistances.size() == this->Gathers.size())

@@ -101,7 +101,8 @@ private:
 bool pathsAreBetter(const Scene& scene, const Emission& emission, const Settings& settings,
                     const ReceiverDirectLight& direct)
 {
-  if (settings.alwaysVertices || settings.gatherEverywhere || direct.sensors().empty() || !isLuminous(scene))
+  if (!settings.uses(Technique::Paths) || !settings.uses(Technique::Near) || direct.sensors().empty() ||
+      !isLuminous(scene))
     return false;
   Settings own = settings;
   own.seed = mixBits(settings.seed + 0x70617468);

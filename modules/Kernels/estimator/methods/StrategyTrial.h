@@ -16,7 +16,7 @@ namespace kalos
 /// Whether paths only (GatherContext::usePathsOnly) take less time than vertices with gather rays to the same error,
 /// the same at every receiver. The trial runs at a few receivers with random numbers that no estimate uses, so the
 /// choice adds no bias. Time is counted in rays, so the choice is the same on every machine. It runs only where
-/// luminous surfaces are at least a tenth of the area, and never with Settings::alwaysVertices or gatherEverywhere.
+/// luminous surfaces are at least a tenth of the area, and never with `paths` or `near` disabled.
 bool pathsAreBetter(const Scene& scene, const Emission& emission, const Settings& settings,
                     const ReceiverDirectLight& direct);
 

@@ -110,10 +110,9 @@ Identity identify(const Scene& scene, const Receivers& receivers, const Settings
           {"error floor", digits(s.errorFloor)},
           {"time", digits(s.seconds)},
           {"seed", std::to_string(s.seed)},
-          {"sampling", std::to_string(static_cast<int>(s.sampling))},
           {"delta", digits(s.delta)},
           {"epsilon", digits(s.epsilon)},
-          {"without", disabledTechniques(s)},
+          {"disabled techniques", s.disabled.names()},
           {"intermediate results", std::to_string(shown)}};
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks before a solve which effects the scene needs.
-#ifndef kalos_scene_Audit_h
-#define kalos_scene_Audit_h
+#ifndef kalos_scene_SceneNeeds_h
+#define kalos_scene_SceneNeeds_h
 
 #include "scene/Scene.h"
 
 namespace kalos
 {
-struct Audit
+struct SceneNeeds
 {
   /// No shadow ray is needed: every triangle lies on the boundary of the scene's convex hull, and all receivers and
   /// luminaires lie in the hull, so that nothing can stand between any two of them.
@@ -16,8 +16,11 @@ struct Audit
   bool reflects = false;  ///< some surface reflects
 };
 
+/// Whether some surface reflects.
+bool reflects(const Scene& scene);
+
 /// `receivers` in scene coordinates. Tests for a convex hull only where that takes well under a second.
-Audit auditScene(const Scene& scene, const std::vector<Vec3>& receivers);
+SceneNeeds findNeeds(const Scene& scene, const std::vector<Vec3>& receivers);
 }  // namespace kalos
 
 #endif

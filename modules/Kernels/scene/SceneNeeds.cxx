@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/Audit.h"
+#include "scene/SceneNeeds.h"
 
 namespace kalos
 {
@@ -49,14 +49,21 @@ bool nothingOccludes(const Scene& scene, const std::vector<Vec3>& receivers)
 }
 }  // namespace
 
-Audit auditScene(const Scene& scene, const std::vector<Vec3>& receivers)
+bool reflects(const Scene& scene)
 {
-  Audit audit;
+  const auto& materials = scene.data().materials;
+  return std::any_of(materials.begin(), materials.end(), [&](const Material& m) {
+    return photometric(m.reflectance, scene.bands()) > 0 || m.specular > 0 || m.mirror > 0;
+  });
+}
+
+SceneNeeds findNeeds(const Scene& scene, const std::vector<Vec3>& receivers)
+{
+  SceneNeeds needs;
   for (std::uint32_t t = 0; t < scene.data().triangles.size(); ++t)
-    audit.emittingTriangles += photometric(scene.material(t).exitance, scene.bands()) > 0;
-  for (const Material& m : scene.data().materials)
-    audit.reflects = audit.reflects || photometric(m.reflectance, scene.bands()) > 0 || m.specular > 0 || m.mirror > 0;
-  audit.unoccluded = nothingOccludes(scene, receivers);
-  return audit;
+    needs.emittingTriangles += photometric(scene.material(t).exitance, scene.bands()) > 0;
+  needs.reflects = reflects(scene);
+  needs.unoccluded = nothingOccludes(scene, receivers);
+  return needs;
 }
 }  // namespace kalos
