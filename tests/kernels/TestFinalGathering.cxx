@@ -26,7 +26,7 @@ struct Gathered
 
   explicit Gathered(const SceneDescription& d, double height = 0.75)
       : scene(d),
-        direct(this->scene, plane(height), this->settings),
+        direct(this->scene, plane(height), this->settings, true),
         emission(this->scene),
         context(this->scene, this->emission, this->settings, this->direct.shadows()),
         plan(this->scene, this->direct.sensors(), this->settings),

@@ -104,6 +104,7 @@ Scene::Scene(SceneDescription description)
             ? this->anchorWithin(l.position, l.axis, 0.5 * length(l.sideU + l.sideV) + this->contact(l.position))
             : RayAnchor(l.position));
   this->Coplanar = findCoplanarFaces(*this);
+  this->Glossy = std::make_shared<const GlossyPlanes>(*this);
 }
 
 Scene::Lift Scene::liftAt(std::uint32_t t) const

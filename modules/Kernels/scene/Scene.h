@@ -4,6 +4,7 @@
 #define kalos_scene_Scene_h
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "luminaire/Luminaire.h"
 #include "material/Brdf.h"
 #include "scene/CoplanarFaces.h"
+#include "scene/GlossyPlanes.h"
 #include "scene/RayScene.h"
 #include "sky/Sky.h"
 
@@ -126,6 +128,7 @@ public:
     const Lift& lift = this->Lifts[triangle];
     return lift.base + lift.slope * absDot(this->Normals[triangle], p);
   }
+  const GlossyPlanes& glossyPlanes() const { return *this->Glossy; }
 
   /// Distance, m, below which a point may be meant to lie on a surface.
   double contact(const Vec3& p) const { return roundingScale * (maxAbs(p) + 0.05 * this->Size); }
@@ -164,6 +167,7 @@ private:
   double SurfaceArea = 0;
   std::vector<RayAnchor> LuminaireAnchors;
   CoplanarFaces Coplanar;
+  std::shared_ptr<const GlossyPlanes> Glossy;
 };
 }  // namespace kalos
 

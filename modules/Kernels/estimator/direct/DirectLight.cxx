@@ -196,7 +196,7 @@ bool DirectLight::sampleUnshadowed(const Sensor& sensor, SampleStream& random, S
   sample.target = aimed.target;
   if (!sensor.brdf)
     return true;
-  const Bands weight = response(sensor, aimed.direction, this->Scene_.bands());
+  const Bands weight = responseToLuminaires(sensor, aimed.direction, this->Scene_.bands());
   for (int b = 0; b < this->Scene_.bands(); ++b)
     sample.light[b] *= weight[b];
   return true;
@@ -245,7 +245,7 @@ void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const L
   const BrdfSample ray = sensor.brdf->sample(sensor.normal, sensor.outgoing, uniformBands(1), u0, u1, u2);
   if (!ray.alive || ray.mirror)
     return;
-  const Bands weight = response(sensor, ray.direction, this->Scene_.bands());
+  const Bands weight = responseToLuminaires(sensor, ray.direction, this->Scene_.bands());
   for (std::size_t i = 0; i < this->LuminaireOf.size(); ++i)
   {
     const LuminousArea& area = this->Areas[i];

@@ -47,7 +47,7 @@ std::size_t WavefrontGather::follow(const Sensor& sensor, const Vec3& direction,
                                     const Start& start, const SampleStream& random)
 {
   const std::size_t i = this->add(sensor, start, random, true);
-  this->Paths[i].sampled = {direction, dot(direction, sensor.normal) / pi, false};
+  this->Paths[i].sampled = {direction, dot(direction, sensor.normal) / pi, false, keptLobeShare(sensor, direction)};
   if (this->advance(i, y))
     this->Active.push_back(i);
   return i;
@@ -57,6 +57,8 @@ std::size_t WavefrontGather::indirectLight(const Sensor& sensor, bool doublePrec
 {
   const double share = this->Rays.blockShare(this->Pool.trajectories, cellBlock);
   const std::size_t i = this->add(sensor, {share, true, doublePrecision}, random, false);
+  this->Paths[i].at.highlightsApart = this->Rays.highlights().any();
+  this->addHighlights(i, 1);
   this->addVertices(i, cellBlock);
   this->Active.push_back(i);
   return i;
@@ -104,14 +106,15 @@ bool WavefrontGather::draw(PathState& path) const
   if (!sensor.brdf)
   {
     const Vec3 direction = Frame(sensor.normal).toWorld(cosineHemisphere(u1, u2));
-    path.sampled = {direction, dot(direction, sensor.normal) / pi, false};
+    path.sampled = {direction, dot(direction, sensor.normal) / pi, false, keptLobeShare(sensor, direction)};
     return path.sampled.density > 0;
   }
   const Bands white = uniformBands(1);
   const BrdfSample sample = sensor.brdf->sample(sensor.normal, sensor.outgoing, white, path.random.next(), u1, u2);
   if (!sample.alive || (sample.mirror && !sensor.followsMirror))
     return false;
-  path.sampled = {sample.direction, sample.density, sample.mirror};
+  path.sampled = {sample.direction, sample.density, sample.mirror,
+                  sample.mirror ? 1 : keptLobeShare(sensor, sample.direction)};
   const int bands = this->Rays.scene().bands();
   double share = 1;  // vertices do not score on a mirror
   if (!sample.mirror && !std::isinf(sensor.ratio))
@@ -143,6 +146,7 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
 
   // The hit becomes the next sensor: for illuminance, or for its response towards the previous one.
   Sensor next(scene.anchor(y));
+  next.highlightsApart = this->Rays.highlights().any();
   const Brdf& brdf = scene.brdf(y.triangle);
   if (brdf.isLambertian())
     for (int b = 0; b < scene.bands(); ++b)
@@ -152,6 +156,8 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
     next.brdf = &brdf;
     next.outgoing = -sampled.direction;
     next.ratio = ratio;
+    if (scene.glossyPlanes().of(y.triangle) != GlossyPlanes::none)
+      next.keptLobe = sampled.keptLobe;
   }
   if (!(photometric(path.throughput, scene.bands()) > 0) || (!path.first && !this->survives(path)))
     return false;
@@ -159,6 +165,7 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
   path.doublePrecision = !isFarFrom(next.anchor, squared);
   path.at = next;
   this->addLuminaires(i);
+  this->addHighlights(i, rayHighlights);
   this->addVertices(i, rayBlock);
   // Add point luminaires seen by mirrors only where no vertex scores; elsewhere vertices include that light.
   if (whole && this->Rays.mirrored().any())
@@ -213,6 +220,17 @@ void WavefrontGather::addLuminaires(std::size_t i)
     this->addIfSeen(i, sample.target, sample.light);
   if (path.at.brdf)
     this->addWeighted(i, known);
+}
+
+void WavefrontGather::addHighlights(std::size_t i, double probability)
+{
+  PathState& path = this->Paths[i];
+  if (!path.at.highlightsApart || (probability < 1 && path.random.next() >= probability))
+    return;
+  Bands light = this->Rays.highlights().sample(path.at, path.random);
+  for (std::size_t b = 0; b < this->Count; ++b)
+    light[b] /= probability;
+  this->addWeighted(i, light);
 }
 
 void WavefrontGather::addVertices(std::size_t i, int blockSize)
