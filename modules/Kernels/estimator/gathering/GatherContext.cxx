@@ -45,6 +45,14 @@ double GatherContext::blockShare(int trajectories, int blockSize) const
   return 1 / (trajectories * std::min(1.0, blockSize / vertices));
 }
 
+double GatherContext::luminaireShare(const Sensor& at, std::size_t luminaire, double ratio) const
+{
+  if (std::isinf(ratio))
+    return 1;
+  const double more = this->firstHitDensity(at, luminaire) / this->vertexDensity(at);
+  return more > 1 ? gatheredShare(ratio / more) / gatheredShare(ratio) : 1;
+}
+
 void GatherContext::luminaireLight(const Sensor* sensors, int count, bool afar, SampleStream& random,
                                    DirectLight::Sample* samples) const
 {
