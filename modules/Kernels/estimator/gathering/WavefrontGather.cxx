@@ -33,6 +33,7 @@ std::size_t WavefrontGather::add(const Sensor& sensor, const Start& start, const
                          first,
                          {}});
   this->Found.resize(2 * this->Count * this->Paths.size(), 0);
+  this->Picked.emplace_back();
   return this->Paths.size() - 1;
 }
 
@@ -59,7 +60,7 @@ std::size_t WavefrontGather::indirectLight(const Sensor& sensor, bool doublePrec
   const std::size_t i = this->add(sensor, {share, true, doublePrecision}, random, false);
   this->Paths[i].at.highlightsApart = this->Rays.highlights().any();
   this->addHighlights(i, 1);
-  this->addVertices(i, cellBlock);
+  this->addVertices(i, cellBlock, true);
   this->Active.push_back(i);
   return i;
 }
@@ -97,6 +98,7 @@ void WavefrontGather::clear()
 {
   this->Paths.clear();
   this->Found.clear();
+  this->Picked.clear();
 }
 
 bool WavefrontGather::draw(PathState& path) const
@@ -164,7 +166,7 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
   next.anchor.crowded = crowds(path.at.anchor, squared);
   path.doublePrecision = !isFarFrom(next.anchor, squared);
   path.at = next;
-  this->addLuminaires(i);
+  this->addLuminaires(i, ratio);
   this->addHighlights(i, rayHighlights);
   this->addVertices(i, rayBlock);
   // Add point luminaires seen by mirrors only where no vertex scores; elsewhere vertices include that light.
@@ -211,13 +213,18 @@ bool WavefrontGather::survives(PathState& path) const
   return true;
 }
 
-void WavefrontGather::addLuminaires(std::size_t i)
+void WavefrontGather::addLuminaires(std::size_t i, double ratio)
 {
   PathState& path = this->Paths[i];
   DirectLight::Sample sample;
   Bands known{};
   if (this->Rays.luminaires().sampleUnshadowed(path.at, path.random, sample, known))
+  {
+    const double share = path.at.brdf ? 1 : this->Rays.luminaireShare(path.at, sample.luminaire, ratio);
+    for (std::size_t b = 0; b < this->Count; ++b)
+      sample.light[b] *= share;
     this->addIfSeen(i, sample.target, sample.light);
+  }
   if (path.at.brdf)
     this->addWeighted(i, known);
 }
@@ -233,18 +240,18 @@ void WavefrontGather::addHighlights(std::size_t i, double probability)
   this->addWeighted(i, light);
 }
 
-void WavefrontGather::addVertices(std::size_t i, int blockSize)
+void WavefrontGather::addVertices(std::size_t i, int blockSize, bool counted)
 {
   const LightVertices& pool = *this->Pool.vertices;
   const int trajectories = this->Pool.trajectories;
   if (!this->Rays.pathsOnly())
     for (const VertexSet* set : {&pool.reflected, &pool.glossy})
-      this->addBlock(i, *set, blockSize, this->Rays.blockShare(trajectories, blockSize));
+      this->addBlock(i, *set, blockSize, this->Rays.blockShare(trajectories, blockSize), counted);
   if (this->Rays.usesStarts())
-    this->addBlock(i, pool.emitted, blockSize, this->Rays.startShare(trajectories, blockSize));
+    this->addBlock(i, pool.emitted, blockSize, this->Rays.startShare(trajectories, blockSize), counted);
 }
 
-void WavefrontGather::addBlock(std::size_t i, const VertexSet& set, int blockSize, double share)
+void WavefrontGather::addBlock(std::size_t i, const VertexSet& set, int blockSize, double share, bool counted)
 {
   if (set.size() == 0)
     return;
@@ -254,13 +261,13 @@ void WavefrontGather::addBlock(std::size_t i, const VertexSet& set, int blockSiz
   const auto begin = static_cast<std::size_t>(this->Paths[i].random.next() * static_cast<double>(set.size()));
   const std::size_t straight = std::min(size, set.size() - begin);
   const double weight = static_cast<double>(set.size()) / static_cast<double>(size) / this->Pool.trajectories;
-  this->addRun(i, set, begin, straight, share, weight);
+  this->addRun(i, set, begin, straight, share, weight, counted);
   if (straight < size)
-    this->addRun(i, set, 0, size - straight, share, weight);
+    this->addRun(i, set, 0, size - straight, share, weight, counted);
 }
 
 void WavefrontGather::addRun(std::size_t i, const VertexSet& set, std::size_t begin, std::size_t count, double share,
-                             double weight)
+                             double weight, bool counted)
 {
   PathState& path = this->Paths[i];
   const double u = path.random.next();
@@ -278,7 +285,7 @@ void WavefrontGather::addRun(std::size_t i, const VertexSet& set, std::size_t be
   for (std::size_t b = 0; b < this->Count; ++b)
     pick.light[b] *= weight;
   if (picks)
-    this->addIfSeen(i, pick.target, pick.light);
+    this->addIfSeen(i, pick.target, pick.light, counted);
   else
     this->addWeighted(i, pick.light);
 }
@@ -289,7 +296,7 @@ void WavefrontGather::addWeighted(std::size_t i, const Bands& light)
     this->found(i)[b] += this->Paths[i].throughput[b] * light[b];
 }
 
-void WavefrontGather::addIfSeen(std::size_t i, const RayAnchor& target, const Bands& light)
+void WavefrontGather::addIfSeen(std::size_t i, const RayAnchor& target, const Bands& light, bool counted)
 {
   const PathState& path = this->Paths[i];
   // A NaN skips the shadow test, so that checkFinite() reports it.
@@ -297,6 +304,9 @@ void WavefrontGather::addIfSeen(std::size_t i, const RayAnchor& target, const Ba
     return this->addWeighted(i, light);
   this->Shadows.push_back({path.at.anchor, target, path.doublePrecision});
   this->PendingPath.push_back(i);
+  this->PendingPick.push_back(counted);
+  if (counted)
+    this->Picked[i].add({photometric(light, static_cast<int>(this->Count)), 1, 0});
   for (std::size_t b = 0; b < this->Count; ++b)
     this->PendingContributions.push_back(path.throughput[b] * light[b]);
 }
@@ -305,10 +315,16 @@ void WavefrontGather::addSeen()
 {
   shadowTogether(this->Rays.scene().rays(), this->Shadows);
   for (std::size_t k = 0; k < this->Shadows.size(); ++k)
-    for (std::size_t b = 0; b < this->Count && !this->Shadows[k].hidden; ++b)
+  {
+    if (this->Shadows[k].hidden)
+      continue;
+    for (std::size_t b = 0; b < this->Count; ++b)
       this->found(this->PendingPath[k])[b] += this->PendingContributions[k * this->Count + b];
+    this->Picked[this->PendingPath[k]].seen += this->PendingPick[k];
+  }
   this->Shadows.clear();
   this->PendingContributions.clear();
   this->PendingPath.clear();
+  this->PendingPick.clear();
 }
 }  // namespace kalos

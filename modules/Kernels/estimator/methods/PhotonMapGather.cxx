@@ -56,10 +56,10 @@ PhotonMap::Seen PhotonMap::lookAlong(const Sensor& from, Vec3 direction, bool se
       Sensor at(start);
       at.brdf = &brdf;
       at.outgoing = -direction;
-      const Bands lamps = this->Rays.luminaireLight(at, random);
+      const Bands lamps = this->Rays.luminaires().sample(at, random), images = this->Rays.mirrored().illuminance(at);
       const Bands photons = map.photons.estimate(at, map.lookup).light;
       for (int b = 0; b < bands; ++b)
-        seen.light[b] += (lamps[b] + photons[b] / map.trajectories) / (1 - material.mirror);
+        seen.light[b] += (lamps[b] + images[b] + photons[b] / map.trajectories) / (1 - material.mirror);
       break;
     }
     direction = reflected(-direction, y.normal);

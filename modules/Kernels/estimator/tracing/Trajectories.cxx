@@ -55,7 +55,7 @@ void walk(const Scene& scene, const Emission& emission, SampleStream random, Ene
         energy.lastSeen(last) += 1;
       return;
     }
-    onCollision(point, -direction, weight, fromPoint && !first, first && !start.onSurface);
+    onCollision(point, -direction, weight, fromPoint && !first, first && !start.onSurface && !start.fromSky);
 
     // Russian roulette: absorbed with the probability of the luminous absorptance, else reflected.
     const Brdf& brdf = scene.brdf(point.triangle);
@@ -80,6 +80,7 @@ LightVertices traceTrajectories(const Scene& scene, const Emission& emission, co
                                 long long first, int count)
 {
   LightVertices pool(scene.bands(), scene.surfaces());
+  std::size_t emitter = 0;  // of the trajectory
   auto keep = [&](const SurfacePoint& point, const Vec3& towardsLight, const Bands& weight, bool caustic,
                   bool straight) {
     const Material& material = scene.material(point.triangle);
@@ -90,7 +91,8 @@ LightVertices traceTrajectories(const Scene& scene, const Emission& emission, co
     for (int b = 0; b < scene.bands(); ++b)
       reflected[b] = material.reflectance[b] * weight[b];
     if (photometric(reflected, scene.bands()) > 0)  // a mirror's vertex scores nothing
-      pool.reflected.add(scene.anchor(point), reflected, inverse);
+      pool.reflected.add(scene.anchor(point), reflected, inverse,
+                         straight ? emission.firstHitDensity(emitter, point.position, point.normal) : 0);
   };
   VisibilityCheck check(scene, pool.energy);
   for (long long i = first; i < first + count; ++i)
@@ -99,6 +101,7 @@ LightVertices traceTrajectories(const Scene& scene, const Emission& emission, co
     walk(
         scene, emission, walks.stream(replicate, Purpose::Trajectory, i), pool.energy,
         [&](const EmissionSample& start) {
+          emitter = start.emitter;
           if (!start.onSurface)
             return;
           pool.emitted.add(start.anchor, start.weight, 1 / start.density);
