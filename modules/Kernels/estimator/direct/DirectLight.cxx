@@ -198,7 +198,9 @@ bool DirectLight::sampleUnshadowed(const Sensor& sensor, SampleStream& random, S
   sample.luminaire = aimed.luminaire;
   if (!sensor.brdf)
     return true;
-  const Bands weight = responseToLuminaires(sensor, aimed.direction, this->Scene_.bands());
+  const Bands weight = aimed.luminaire == skyLight
+                           ? response(sensor, aimed.direction, this->Scene_.bands())
+                           : responseToLuminaires(sensor, aimed.direction, this->Scene_.bands());
   for (int b = 0; b < this->Scene_.bands(); ++b)
     sample.light[b] *= weight[b];
   return true;

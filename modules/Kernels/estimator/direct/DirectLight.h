@@ -53,7 +53,7 @@ public:
   {
     RayAnchor target;
     Bands light;            ///< lx per band, weighted by the sensor's response
-    std::size_t luminaire;  ///< that was drawn
+    std::size_t luminaire;  ///< that was drawn; or skyLight
   };
   /// The same without the shadow ray; the lobe's sample traces its own shadow rays and is added to `known`.
   bool sampleUnshadowed(const Sensor& sensor, SampleStream& random, Sample& sample, Bands& known) const;
@@ -70,6 +70,8 @@ public:
   /// Whether samples add to what prepareView() finds: something may hide area emitters, or openings are near.
   bool hasOpenings() const { return this->HasOpenings; }
   bool fluctuates() const { return this->HasOpenings || (this->Shadows && !this->Areas.empty()); }
+
+  static constexpr std::size_t skyLight = ~std::size_t{0};  ///< in the place of a luminaire
 
 private:
   double pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const;  // unshadowed, lx; 0 for areas

@@ -37,6 +37,7 @@ bool DirectLight::aimAtSky(const Sensor& sensor, SampleStream& random, AreaSampl
     return false;
   if (sensor.brdf)  // MIS with the lobe's sample: balance heuristic
     density += gatherDensity(sensor, sample.direction);
+  sample.luminaire = skyLight;
   sample.target = this->FromSky.target(sensor.position, sample.direction);
   const double light = sky.luminanceWithSun(sample.direction) * dot(sample.direction, sensor.normal) / density;
   arriving = uniformBands(light);

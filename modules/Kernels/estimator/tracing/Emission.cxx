@@ -34,6 +34,8 @@ double Emission::probability(std::size_t i) const
 
 double Emission::firstHitDensity(std::size_t i, const Vec3& p, const Vec3& n) const
 {
+  if (i >= this->Scene_.data().luminaires.size())
+    return 0;
   const Luminaire& l = this->Scene_.data().luminaires[i];
   const Vec3 d = p - l.position;
   double share = 0;  // of the luminaire's flux, 1/m2

@@ -36,7 +36,7 @@ public:
   double probability(std::size_t emitter) const;
 
   /// First hits of trajectories of a luminaire about a point p with normal n, per m2 and trajectory, if nothing hides
-  /// the luminaire.
+  /// the luminaire; 0 for the sky.
   double firstHitDensity(std::size_t luminaire, const Vec3& p, const Vec3& n) const;
 
   /// Draws an emitter, a point on it and a direction; every sample carries the whole photometric flux, but
