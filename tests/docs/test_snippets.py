@@ -128,4 +128,5 @@ def test_numbers_of_the_readme():
     from catalogue import ROOMS
 
     hard = [line for line in (ROOT / "tests" / "zoo" / "hard.txt").read_text().splitlines() if line and not line.startswith("#")]
-    assert f"of {len(ROOMS)} hard rooms with known truths {len(hard)} are known" in text
+    most = int(re.search(rf"at most (\d+) of {len(ROOMS)} hard rooms", text)[1])
+    assert len(hard) <= most < len(hard) + 10
