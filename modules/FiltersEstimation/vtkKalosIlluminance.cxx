@@ -171,6 +171,7 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
       return 1;
     }
     output->ShallowCopy(this->Dress(input, result, dark.valid));
+    this->Tell(result);
   }
   catch (const std::exception& error)
   {
