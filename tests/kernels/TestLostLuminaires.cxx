@@ -79,7 +79,9 @@ TEST(LostLuminaires, ReceiversOutsideAreToBlameThemselves)
 TEST(LostLuminaires, RoundACornerAreNotLost)
 {
   SceneDescription d = room();
-  addLamp(d, "round the corner", {0.3, 0.3, 2.5}, {0, 0, -1});
+  rooms::addQuad(d, {1.6, 1, 0}, {0, 3, 0}, {0, 0, 3}, 0);  // a second screen: light comes by a corridor of two turns
+  d.triangleSurface.resize(d.triangles.size(), 2);
+  addLamp(d, "round the corner", {0.3, 3.2, 2.5}, {0, 0, -1});
   addLamp(d, "flush", {3, 3, 3}, {0, 0, -1});
   addLamp(d, "uplight", {1, 3, 1}, {0, 0, 1});
   EXPECT_TRUE(found(d).empty());

@@ -36,14 +36,14 @@ Settings scaled(Settings s, double scale)
 }
 
 // Compares what is found in all poses with the original: the mean over receivers and each receiver, with 70 degrees of
-// freedom or more; each of the two raises one false alarm in a thousand seeds for all eight methods together. In every
+// freedom or more; each of the two raises one false alarm in a thousand seeds for all nine methods together. In every
 // pose by itself the mean is within 8 standard errors (7 or more degrees: 1e-4).
 void expectSame(const Case& c, const Average& original, const Average& found)
 {
   const double error = std::hypot(found.mean().standardError, original.mean().standardError) / original.mean().mean;
   const int freedom = std::min(original.freedom(), found.freedom());
   const auto allowedFor = [&](double comparisons) {
-    return studentQuantile(std::pow(1 - 1e-3, 1 / (8 * comparisons)), freedom);
+    return studentQuantile(std::pow(1 - 1e-3, 1 / (9 * comparisons)), freedom);
   };
   EXPECT_LT(apart(found.mean(), original.mean()), allowedFor(1)) << c.name;
   EXPECT_LT(error, c.largestError) << c.name;
