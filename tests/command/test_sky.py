@@ -4,10 +4,12 @@ import csv
 import json
 import math
 
+import numpy as np
 import pytest
 from conftest import one_line
 
 import kalos
+from kalos.results.daylight import daylight_figures
 
 PLANE = {"origin": [0, 0, 5], "u": [2, 0, 0], "v": [0, 2, 0], "resolution": [2, 2]}
 SKY = {"cie": 5, "horizontal_illuminance": 10000, "sun": {"elevation_deg": 60, "azimuth_deg": 180, "normal_illuminance": 0}}
@@ -40,7 +42,20 @@ def test_daylight_factors_are_100_where_nothing_hides_the_sky(outdoors, command,
         assert float(row["daylight_factor_percent"]) == pytest.approx(100, rel=1e-6)
         assert float(row["standard_error_lx"]) < 1e-6
     assert list(rows(tmp_path / "out" / "high.csv")[0])[-1] == "daylight_factor_percent"
-    assert summary["receivers"]["high"]["daylight"]["median"] == pytest.approx(100, rel=1e-6)
+    found = summary["receivers"]["high"]["daylight"]
+    assert found["median"] == pytest.approx(100, rel=1e-6)
+    assert found["mean_direct"] == pytest.approx(100, rel=1e-6)
+    assert found["en_17037"]["high"] == {"target": 1, "minimum_target": 1}
+
+
+def test_figures_of_daylight_factors():
+    factors = np.array([4.0, 3.0, 2.0, 1.0])
+    found = daylight_figures(factors, 100 * factors, 25 * factors, np.ones(4))
+    assert found["mean"] == 2.5
+    assert (found["mean_direct"], found["mean_reflected"]) == (0.625, 1.875)
+    assert (found["d_t"], found["d_tm"], found["median"]) == (3, 1, 3)
+    assert found["en_17037"]["minimum"] == {"target": 0.5, "minimum_target": 1}
+    assert found["en_17037"]["medium"] == {"target": 0, "minimum_target": 0.5}
 
 
 @pytest.mark.parametrize("north, azimuth, normal, share", [
@@ -125,7 +140,6 @@ def test_a_map_is_a_sky(outdoors, command, tmp_path):
     """An image of an even sky of 1000 cd/m2, written by the writer of images."""
     from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkCommonDataModel import vtkImageData
-    import numpy as np
 
     image = vtkImageData()
     image.SetDimensions(8, 4, 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Daylight through openings by integrals: CIE general skies (ISO 15469), glass, and the room of CIE 171, cases 5.9 to 5.12."""
+"""Daylight through openings by integrals: CIE general skies (ISO 15469), and the room of CIE 171, cases 5.9 and 5.11."""
 import numpy as np
 
 COEFFICIENTS = {1: (4, -0.7, 0, -1, 0), 2: (4, -0.7, 2, -1.5, 0.15), 3: (1.1, -0.8, 0, -1, 0), 4: (1.1, -0.8, 2, -1.5, 0.15),
@@ -37,36 +37,27 @@ def horizontal(kind):
     return total
 
 
-def through(kind, points, normals, corner, u, v, transmittance=None, cells=240):
-    """Sky component and externally reflected component, shares of the horizontal illuminance, (n,), of a rectangular opening."""
+def through(kind, points, normals, corner, u, v, cells=240):
+    """Sky component and externally reflected component, shares of the horizontal illuminance, (2, n), of a rectangular opening
+    whose side u is level. It is cut where a point sees the horizon."""
     corner, u, v = (np.asarray(one, float) for one in (corner, u, v))
-    s, ds = gauss(0, 1, cells)
-    places = (corner + s[:, None, None] * u + s[None, :, None] * v).reshape(-1, 3)
-    area, across = np.outer(ds, ds).ravel() * np.linalg.norm(np.cross(u, v)), np.cross(u, v) / np.linalg.norm(np.cross(u, v))
-    scale, found = horizontal(kind), []
+    across, scale, found = np.cross(u, v) / np.linalg.norm(np.cross(u, v)), horizontal(kind), []
     for point, normal in zip(points, normals):
-        way = places - point
-        squared = np.einsum("ij,ij->i", way, way)
-        way /= np.sqrt(squared)[:, None]
-        facing = np.abs(way @ across)
-        weight = np.maximum(way @ normal, 0) * facing / squared * area
-        if transmittance is not None:
-            weight = weight * transmittance(facing)
-        above = way[:, 2] > 0
-        found.append((np.sum((weight * relative_luminance(kind, way))[above]) / scale, GROUND / np.pi * np.sum(weight[~above])))
+        horizon = np.clip((point[2] - corner[2]) / v[2], 0, 1) if v[2] else 0.0
+        shares = np.zeros(2)
+        for low, high in ((0.0, horizon), (horizon, 1.0)):
+            if high > low:
+                shares += panel(kind, point, normal, corner + low * v, u, (high - low) * v, across, cells, scale)
+        found.append(shares)
     return np.array(found).T
 
 
-def pane(normal_transmittance, index):
-    """Transmittance by the cosine of incidence of a slab: Fresnel, both polarisations, all internal reflections, absorption."""
-    r0 = ((index - 1) / (index + 1)) ** 2
-    square = (1 - r0) ** 2
-    once = 2 * normal_transmittance / (square + np.sqrt(square**2 + 4 * normal_transmittance**2 * r0**2))
-
-    def transmittance(cosine):
-        inside = np.sqrt(1 - (1 - cosine**2) / index**2)
-        a = once ** (1 / inside)
-        reflected = ((cosine - index * inside) / (cosine + index * inside)) ** 2, ((index * cosine - inside) / (index * cosine + inside)) ** 2
-        return sum(0.5 * (1 - r) ** 2 * a / (1 - r**2 * a**2) for r in reflected)
-
-    return transmittance
+def panel(kind, point, normal, corner, u, v, across, cells, scale):
+    s, ds = gauss(0, 1, cells)
+    way = (corner + s[:, None, None] * u + s[None, :, None] * v).reshape(-1, 3) - point
+    squared = np.einsum("ij,ij->i", way, way)
+    way /= np.sqrt(squared)[:, None]
+    facing = np.abs(way @ across)
+    weight = np.maximum(way @ normal, 0) * facing / squared * np.outer(ds, ds).ravel() * np.linalg.norm(np.cross(u, v))
+    above = way[:, 2] > 0
+    return np.sum((weight * relative_luminance(kind, way))[above]) / scale, GROUND / np.pi * np.sum(weight[~above])

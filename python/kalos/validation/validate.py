@@ -13,6 +13,7 @@ from kalos.results.fields import audit
 from kalos.results.receivers import from_dataset
 from kalos.results.statistics import error_of
 from kalos.scenes.reading import read_scene, receiver_names
+from kalos.scenes.scene import Scene, scene_file
 from kalos.validation.cases import CASES, DATA
 from kalos.validation.verdicts import FALSE_ALARM, REPLICATES, judge
 
@@ -70,7 +71,12 @@ def stated_bias(entries):
 
 def examine_once(case, options, data=DATA):
     """Solves a case and judges all its receivers together."""
-    sets = solve_receivers(Path(data) / case.scene, options)
+    scene = Path(data) / case.scene
+    if case.sky:
+        scene = Scene.read(scene)
+        scene.sky["cie"] = case.sky
+    with scene_file(scene) as path:
+        sets = solve_receivers(path, options)
     truth = np.concatenate([case.truth(r.points, r.normals) for r in sets])
     estimate = np.concatenate([r.illuminance for r in sets])
     error = np.concatenate([r.standard_error for r in sets])
