@@ -41,6 +41,7 @@ EmissionSample Emission::fromLuminaire(std::size_t i, double u, SampleStream& ra
 {
   const Luminaire& luminaire = this->Scene_.data().luminaires[i];
   EmissionSample start;
+  start.luminaire = &luminaire;
   start.fromPoint = luminaire.isPoint();
   start.anchor = this->Scene_.luminaireAnchor(i);  // a lamp mounted flush with a ceiling shines into the room
   start.weight = uniformBands(this->TotalFlux);

@@ -14,11 +14,12 @@ struct EmissionSample
 {
   RayAnchor anchor;  ///< where the trajectory starts
   Vec3 direction;
-  bool fromPoint = false;      ///< from a point luminaire
-  bool onSurface = false;      ///< from a mesh (else from a luminaire, which has no body)
-  std::uint32_t triangle = 0;  ///< of the mesh, when onSurface
-  double density = 0;          ///< starts per m2 and trajectory about the position, on a mesh
-  Bands weight;                ///< flux per band, lm, if this were the only trajectory
+  const Luminaire* luminaire = nullptr;  ///< null: from a mesh
+  bool fromPoint = false;                ///< from a point luminaire
+  bool onSurface = false;                ///< from a mesh (else from a luminaire, which has no body)
+  std::uint32_t triangle = 0;            ///< of the mesh, when onSurface
+  double density = 0;                    ///< starts per m2 and trajectory about the position, on a mesh
+  Bands weight;                          ///< flux per band, lm, if this were the only trajectory
 };
 
 class Emission
