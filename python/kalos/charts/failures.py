@@ -109,19 +109,17 @@ def many_lamps():
 
 
 def caustic():
-    """A luminous panel, a wall that is a mirror, nothing else reflects: E is that of the panel and of its image."""
-    along, size, flux, mirror = np.linspace(0.3, 3.5, 14), 0.1, 1000.0, 0.9
+    """A luminous panel that shines at a mirror, behind its back: all light there is that of its image."""
+    along, size, flux, mirror = np.linspace(1.2, 3.4, 12), 0.1, 1000.0, 0.9
     points = line(along, lambda t: (t, 1.5, 0))
-    lamp = np.array([(1, 1.45, 1), (1 + size, 1.45, 1), (1 + size, 1.45 + size, 1), (1, 1.45 + size, 1)])
-    image = lamp * (-1, 1, 1)
-    up = np.array([0.0, 0, 1])
-    exitance = flux / size**2
-    known = [exitance * (polygon_form_factor(p, up, lamp) + mirror * polygon_form_factor(p, up, image)) for p in points]
+    image = np.array([(-1, 1.45, 0.75), (-1, 1.45 + size, 0.75), (-1, 1.45 + size, 0.75 + size), (-1, 1.45, 0.75 + size)])
+    known = [mirror * flux / size**2 * polygon_form_factor(p, np.array([0.0, 0, 1]), image) for p in points]
     reflector = quad((0, -3, -3), (0, 10, 0), (0, 0, 10), 0, mirror=mirror)
     floor = quad((0, 0, -0.01), (4, 0, 0), (0, 3, 0), 0.01)
-    return Failure("caustic", "A lamp in a mirror", "A small panel's image in a wall: light that only a ray from the receiver, or a photon, meets.",
-                   [reflector, floor], [panel((1 + size / 2, 1.45 + size / 2, 1), (size, 0, 0), (0, size, 0), flux, aim=(0, 0, -1))],
-                   points, (0, 0, 1), along, "distance from the mirror", False, np.array(known))
+    lamp = panel((1, 1.5, 0.75 + size / 2), (0, size, 0), (0, 0, size), flux, aim=(-1, 0, 0))
+    return Failure("caustic", "Behind a lamp that shines at a mirror",
+                   "All light comes by the image of a small panel: only a ray that meets it, or a photon, finds it.",
+                   [reflector, floor], [lamp], points, (0, 0, 1), along, "distance from the mirror", False, np.array(known))
 
 
 FAILURES = {"furnace-edge": furnace_edge, "dihedral": dihedral, "contact": contact, "keyhole": keyhole, "glossy-room": glossy,
