@@ -19,7 +19,7 @@ from kalos.validation.cases import DATA
 from kalos.validation.figures import octant
 from kalos.validation.validate import STATED, stated_bias
 
-LARGEST = {"radiosity": 0.03, "photon-map": 0.25}  # a stated bias that still says something: the map loses half discs at the walls
+LARGEST = {"radiosity": 0.04, "photon-map": 0.25}  # a stated bias that still says something: the map loses half discs at the walls
 
 
 @pytest.mark.parametrize("method, trajectories", [("radiosity", 40000), ("photon-map", 640000)])
@@ -39,5 +39,5 @@ def test_balance_of_energy(method, trajectories, percent):
     off = replicates.mean()
     left = max(min(abs(off), abs(off - bias)) - STATED * uncertain, 0)
     print(f"{method} {percent} %: off by {100 * off:+.2f} %, stated {100 * bias:+.2f} +- {100 * uncertain:.2f} %")
-    assert abs(bias) < LARGEST[method] and uncertain < 0.02
+    assert abs(bias) < LARGEST[method] and uncertain < 0.05
     assert left <= 5 * error_of(replicates) + 2e-3
