@@ -15,7 +15,7 @@ if not DATA.exists():
     DATA = PACKAGE.parents[3] / "share" / "kalos" / "data"  # of an installed one
 
 
-PATHS, PATHS_SHARE = ("paths", "bidirectional"), 64  # these start a path at each receiver per trajectory
+PATHS = {"paths": 64, "bidirectional": 8}  # they start a path at each receiver per trajectory: so many times fewer do
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Case:
     def options(self, method, trajectories=None, seed=1):
         """How this case is solved by a method."""
         near = self.cell if method == "direct" else self.near
-        own = self.trajectories // PATHS_SHARE if method in PATHS else self.trajectories
+        own = self.trajectories // PATHS.get(method, 1)
         return Options(method=method, trajectories=trajectories or own, seed=seed, delta=near, epsilon=near)
 
 

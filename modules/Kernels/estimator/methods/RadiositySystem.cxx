@@ -96,6 +96,8 @@ double RadiositySystem::formFactor(const Vec3& x, const Vec3& n, std::size_t j, 
     s = std::clamp(dot(cross(d, ac), across) / dot(across, across), 0.0, 1.0);
     t = std::clamp(dot(cross(ab, d), across) / dot(across, across), 0.0, 1.0 - s);
     density = 1 / seen.solidAngle();
+    if (!std::isfinite(s + t))
+      s = t = 1.0 / 3;  // a direction along the plane
   }
   y = a + s * ab + t * ac;
   // The kernel at y over its mean: weights of the corners whose mean is exact and whose sum is one.
