@@ -51,6 +51,20 @@ def test_option_of_another_method(scene, command, tmp_path, option, methods):
     assert not (tmp_path / "out").exists()
 
 
+def test_radiosity_refuses_mirrors(scene, command, tmp_path):
+    scene["materials"]["grey"] = {"reflectance": 0.3, "mirror": 0.2}
+    status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", "--method", "radiosity")
+    assert status == 2
+    assert one_line(error) == ("--method: radiosity knows diffuse surfaces only, and surface floor is glossy or a mirror; expected compensated "
+                               "or another method")
+
+
+def test_radiosity_refuses_what_memory_does_not_hold(scene, command, tmp_path):
+    status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", "--method", "radiosity", "--epsilon", "0.001")
+    assert status == 2
+    assert one_line(error).startswith("--epsilon: elements of 0.001 m are ") and one_line(error).endswith(" GB are free; expected longer ones")
+
+
 @pytest.mark.parametrize("option", ["--delta", "--epsilon"])
 def test_length_larger_than_the_scene(scene, command, tmp_path, option):
     status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", option, "2.5", "--method", "sphere-exact")

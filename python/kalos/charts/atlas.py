@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""`kalos atlas`: which method fails how, on seven scenes, all methods with the same processor time.
+"""`kalos atlas`: which method fails how, on eight scenes, all methods with the same processor time.
 
 Each method takes twice as many trajectories until a run takes its share of the time, then `SEEDS` seeds. What it makes of the
 truth is put in words by the rules of `verdict`, and drawn small beside the others.
@@ -9,13 +9,14 @@ from pathlib import Path
 
 import numpy as np
 
-from kalos.charts.atlas_picture import draw_failure, page
+from kalos.charts.atlas_picture import draw_failure, page, percent
 from kalos.charts.failures import FAILURES
 from kalos.core.options import METHODS
 from kalos.core.output import staged, write_json
 from kalos.errors import KalosError
 
 SEEDS = 8
+WINNERS = 3  # methods of least error that are named
 START, MOST = 128, 10**7  # trajectories
 NOTICED = 4.0  # standard errors of the mean over the seeds, from which on a deviation is a bias
 SMALL = 0.02  # relative: below this nothing is said
@@ -36,10 +37,15 @@ def atlas(out, scenes=None, methods=None, budget=1.0, seed=1, say=lambda text: N
             for method in methods or METHODS:
                 found[method] = measure(failure, method, budget, seed)
                 found[method]["verdict"] = verdict(found[method], truth, error)
+                if "values" in found[method]:
+                    found[method]["rms"] = float(np.sqrt(np.mean((found[method]["values"] / truth - 1) ** 2)))
                 say(f"  {method:<17} {found[method]['verdict']}")
                 rows += table(failure, method, found[method], truth, error)
             draw_failure(folder / f"{name}.png", failure, found, truth, source)
-            entries.append({"name": name, "title": failure.title, "about": failure.about, "truth_lx": truth.tolist(), "source": source,
+            ranks = sorted((one["rms"], method) for method, one in found.items() if "rms" in one)
+            best = [{"method": method, "rms": rms} for rms, method in ranks[:WINNERS]]
+            say("  least error: " + ", ".join(f"{one['method']} {percent(one['rms'])}" for one in best))
+            entries.append({"name": name, "title": failure.title, "about": failure.about, "truth_lx": truth.tolist(), "source": source, "least_error": best,
                             "verdicts": {method: one["verdict"] for method, one in found.items()}})
         result = {"budget_seconds": budget, "seeds": SEEDS, "scenes": entries}
         write_json(folder / "atlas.json", result)
@@ -83,9 +89,9 @@ def verdict(found, truth, truth_error):
     off = np.where(np.abs(mean - 1) > NOTICED * uncertain, mean - 1, 0)
     worst = off[np.argmax(np.abs(off))]
     if abs(worst) > SMALL:
-        said.append(f"bias: {'too bright' if worst > 0 else 'too dark'} by up to {100 * abs(worst):.2g} %")
+        said.append(f"bias: {'too bright' if worst > 0 else 'too dark'} by up to {percent(abs(worst))}")
     if not said:
-        said.append(f"noise: {100 * typical:.2g} %" if typical > SMALL else f"within {100 * max(typical, 1e-3):.1g} %")
+        said.append(f"noise: {percent(typical)}" if typical > SMALL else f"within {100 * max(typical, 1e-3):.1g} %")
     return "; ".join(said)
 
 

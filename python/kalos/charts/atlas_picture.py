@@ -73,6 +73,11 @@ def panel(axes, failure, name, found, truth):
     axes.text(0, 1.03, shortened(found["verdict"]), transform=axes.transAxes, fontsize=7.2, color="0.25", va="bottom")
 
 
+def percent(share):
+    """A share in words: `2.1 %`, `150 %`."""
+    return f"{100 * share:.2g} %" if share < 0.995 else f"{100 * share:.0f} %"
+
+
 def shortened(text, most=52):
     return text if len(text) <= most else text[:most - 1].rsplit(" ", 1)[0] + " …"
 
@@ -98,8 +103,9 @@ def page(result):
     for scene in result["scenes"]:
         low, high = min(scene["truth_lx"]), max(scene["truth_lx"])
         values = f"{low:.4g} lx everywhere" if low == high else f"{low:.3g} to {high:.3g} lx"
+        winners = ", ".join(f"{one['method']} ({percent(one['rms'])})" for one in scene["least_error"])
         parts.append(f"<h2>{escape(scene['title'])}</h2><p>{escape(scene['about'])}</p><p class='s'>Truth: {values}, "
-                     f"{escape(scene['source'])}.</p><img src='{scene['name']}.png' alt='{escape(scene['title'], quote=True)}'><table>")
+                     f"{escape(scene['source'])}. Least error: {winners}.</p><img src='{scene['name']}.png' alt='{escape(scene['title'], quote=True)}'><table>")
         parts += [f"<tr><td class='m' style='color:{style(name)['color']}'>{escape(name)}</td><td>{escape(text)}</td></tr>"
                   for name, text in scene["verdicts"].items()]
         parts.append("</table>")

@@ -122,5 +122,12 @@ def caustic():
                    [reflector, floor], [lamp], points, (0, 0, 1), along, "distance from the mirror", False, np.array(known))
 
 
+def empty_room():
+    along = np.linspace(0.3, 3.7, 12)
+    room = box((2, 1.5, 1.25), (4, 3, 2.5), 0.5, inwards=True)
+    return Failure("empty-room", "In an empty diffuse room", "Nothing is in the way and nothing shines: where finite elements are at home.",
+                   [room], [luminaire((1.2, 1.5, 2.4), 3000)], line(along, lambda t: (t, 1.2, 0)), (0, 0, 1), along, "place on the floor", False)
+
+
 FAILURES = {"furnace-edge": furnace_edge, "dihedral": dihedral, "contact": contact, "keyhole": keyhole, "glossy-room": glossy,
-            "many-lamps": many_lamps, "caustic": caustic}
+            "many-lamps": many_lamps, "caustic": caustic, "empty-room": empty_room}

@@ -6,7 +6,7 @@ from kalos.commands.arguments import methods
 from kalos.core.limits import SEED, TIME
 from kalos.core.options import METHODS
 
-SCENES = ("furnace-edge", "dihedral", "contact", "keyhole", "glossy-room", "many-lamps", "caustic")
+SCENES = ("furnace-edge", "dihedral", "contact", "keyhole", "glossy-room", "many-lamps", "caustic", "empty-room")
 
 
 def scenes(text):
