@@ -64,6 +64,9 @@ def test_words():
     assert verdict(made(noisy(0.003)), TRUTH, 0 * TRUTH).startswith("within 0.3 %")
     assert verdict(made(noisy(0.1)), TRUTH, 0 * TRUTH).startswith("noise: ")
     assert verdict(made(0.05 * noisy(0.1)), TRUTH, 0 * TRUTH).startswith("never arrives")
+    rare = np.full((8, 9), 0.01)
+    rare[2, 3] = 12
+    assert verdict(made(rare), TRUTH, 0 * TRUTH) == "rare spikes: up to 12 times the truth"
     dark, spiky = noisy(0.01), noisy(0.01)
     dark[:, 0] *= 0.5
     spiky[3, 0] = 9

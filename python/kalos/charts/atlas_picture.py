@@ -78,7 +78,7 @@ def percent(share):
     return f"{100 * share:.2g} %" if share < 0.995 else f"{100 * share:.0f} %"
 
 
-def shortened(text, most=52):
+def shortened(text, most=46):
     return text if len(text) <= most else text[:most - 1].rsplit(" ", 1)[0] + " …"
 
 
