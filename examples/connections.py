@@ -22,7 +22,7 @@ from kalos.charts.failures import FAILURES
 
 SCENES = ("furnace-edge", "contact", "keyhole", "glossy-room", "many-lamps")
 CONNECTIONS = (1, 2, 3, 4, 5, 6)
-SEEDS, TRAJECTORIES = range(1, 9), 1024
+SEEDS, TRAJECTORIES = range(1, 7), 256
 COLOURS = ("#0b5d8f", "#2f9fd0", "#7a3e9d", "#d1457b", "#8c6d31")
 HIGHEST = 1000.0  # of the chart; what costs more sits on the frame as a triangle
 

@@ -30,6 +30,7 @@ LOW, HIGH = 0.2, 6  # of the charts; what lies beyond sits on the frame as a tri
 PARTS = (("bias: the mean of all seeds over the truth, less one", lambda ratios: np.abs(ratios.mean(axis=0) - 1)),
          ("noise: the spread of the seeds over the truth", lambda ratios: ratios.std(axis=0, ddof=1)))
 LEAST, MOST = 0.1, 1000  # %, of the panels of bias and noise
+MATTERS = 1  # %
 
 
 def profiles():
@@ -46,7 +47,7 @@ def draw(path, found):
     rows = -(-len(found) // 4)
     figure = Figure(figsize=(12, 3.4 + 2.1 * rows), dpi=110)
     FigureCanvasAgg(figure)
-    grid = figure.add_gridspec(rows + 1, 4, height_ratios=[1.5] + rows * [1], left=0.05, right=0.985, top=1 - 0.62 / (3.4 + 2.1 * rows),
+    grid = figure.add_gridspec(rows + 1, 4, height_ratios=[1.5] + rows * [1], left=0.05, right=0.985, top=1 - 0.85 / (3.4 + 2.1 * rows),
                                bottom=0.55 / (3.4 + 2.1 * rows), hspace=0.42, wspace=0.12)
     for k, (title, part) in enumerate(PARTS):
         summary(figure.add_subplot(grid[0, 2 * k:2 * k + 2]), title, part, found)
@@ -71,22 +72,29 @@ def distances(one):
 
 
 def summary(one, title, part, found):
-    """One part of every method's error, %, each line with its name where it begins."""
-    ends = []
+    """One part of every method's error, %; those that matter anywhere carry their names."""
+    ends, small = [], []
     for method, ratios in found.items():
         values = np.clip(100 * part(ratios), LEAST, MOST)
         one.plot(DISTANCES, values, linewidth=1.5, color=style(method)["color"], clip_on=False)
-        ends.append((np.log(values[-1]), method))
+        if values.max() > MATTERS:
+            ends.append((np.log(values[-1]), method))
+        else:
+            small.append(method)
     one.set_yscale("log")
     one.set_ylim(LEAST, MOST)
     one.set_xlim(DISTANCES[0], 40)
     distances(one)
-    step, last = np.log(MOST / LEAST) / 15, -np.inf
+    step, last = np.log(MOST / LEAST) / 13, np.log(LEAST) - np.log(MOST / LEAST) / 26
     for value, method in sorted(ends):
         last = max(value, last + step)
-        one.annotate(method, (DISTANCES[-1], np.exp(value)), xytext=(3, np.exp(last)), fontsize=8, color=style(method)["color"], va="center",
-                     arrowprops={"arrowstyle": "-", "color": style(method)["color"], "linewidth": 0.4}, annotation_clip=False)
+        one.annotate(method, (DISTANCES[-1], np.exp(value)), xytext=(3.2, np.exp(last)), fontsize=8, color=style(method)["color"], va="center",
+                     arrowprops={"arrowstyle": "-", "color": style(method)["color"], "linewidth": 0.4, "shrinkA": 0, "relpos": (0, 0.5)},
+                     annotation_clip=False)
     one.set_title(f"{title}, %", loc="left", fontsize=10)
+    if small:
+        one.text(0, 1.02, f"below {MATTERS:g} % everywhere: {', '.join(small)}", transform=one.transAxes, fontsize=8, color="0.4", va="bottom")
+        one.set_title(f"{title}, %", loc="left", fontsize=10, pad=17)
 
 
 def single(one, method, ratios):
