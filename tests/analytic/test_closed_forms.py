@@ -18,8 +18,8 @@ def test_the_methods_are_there():
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_case(case, method):
-    if method == "direct" and not case.cell:
-        return  # means over cells are not points
+    if not case.serves(method):
+        return
     seed = 11
     verdict = examine(case, case.options(method, seed=seed))
     print(f"seed {seed}: {verdict}")

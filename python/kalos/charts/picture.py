@@ -18,14 +18,14 @@ from kalos.pictures.drawing import DPI, GREY
 
 SIZE = (11.0, 6.4)  # inches
 STRONG = ("gathered", "compensated", "paths", "radiosity", "photon-map")  # drawn as strong lines
-LINE = 0.17  # inches, of the legend
+LINE, MARGIN = 0.17, 0.15  # inches: of the legend, below it
 MOST = 100.0  # %: larger errors are not drawn
 
 
 def draw_chart(folder, result):
     """chart.png and chart.svg."""
     known = families(result)
-    foot = LINE * sum(1 + len(names) for _, names in known)  # inches
+    foot = MARGIN + LINE * sum(1 + len(names) for _, names in known)  # inches
     size = (SIZE[0], SIZE[1] + foot)
     figure = Figure(figsize=size, dpi=DPI)
     FigureCanvasAgg(figure)
@@ -86,7 +86,7 @@ def families(result):
 
 def legend(figure, known, height):
     """One line a contender, by families: what it is and who uses it."""
-    y = (LINE * sum(1 + len(names) for _, names in known) - 0.02) / height
+    y = (MARGIN + LINE * sum(1 + len(names) for _, names in known)) / height
     for one, names in known:
         figure.text(0.07, y, one.title, fontsize=8.5, color="0.25", weight="bold", va="top")
         y -= LINE / height

@@ -104,7 +104,7 @@ def validate(data=None, wanted=None, trajectories=None, seed=1, say=print):
     passed = True
     for case in CASES:
         for method in methods:
-            if method == "direct" and not case.cell:
+            if not case.serves(method):
                 continue
             attempt = examine_stated if method in STATING else examine_once if trajectories else examine
             verdict = attempt(case, case.options(method, trajectories, seed), data)
