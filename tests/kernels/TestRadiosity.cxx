@@ -4,6 +4,7 @@
 
 #include "Rooms.h"
 #include "estimator/methods/RadiositySystem.h"
+#include "estimator/solve/Replay.h"
 #include "estimator/solve/Solver.h"
 
 using namespace kalos;
