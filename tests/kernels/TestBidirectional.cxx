@@ -111,3 +111,26 @@ TEST(Bidirectional, IsBoundedAtAnEdge)
   s.own.connections = 1;
   EXPECT_GT(std::abs(solve(scene, r, s).illuminance[0] - 250), 25) << "nothing is compared";
 }
+
+// Errors of replicates fall with the root of the trajectories: a pair of halves of one Sobol' index would leave a part
+// of it. A quarter is left of 16 times as many.
+TEST(Bidirectional, ErrorFallsWithTheTrajectories)
+{
+  const Scene scene(rooms::litRoom(0.7));
+  Receivers r;
+  for (int i = 0; i < 20; ++i)
+  {
+    r.points.push_back({0.6 + 0.2 * i, 2.4, 0});
+    r.normals.push_back({0, 0, 1});
+  }
+  double squares[2] = {};
+  for (const bool more : {false, true})
+  {
+    Settings s;
+    s.method = Method::Bidirectional;
+    s.trajectories = more ? 32768 : 2048;
+    for (const double e : solve(scene, r, s).standardError)
+      squares[more] += e * e;
+  }
+  EXPECT_LT(std::sqrt(squares[1] / squares[0]), 0.35);
+}

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/methods/Bidirectional.h"
 
+#include <numeric>
+
+#include "estimator/tracing/VertexRound.h"
 #include "sampling/Warp.h"
 
 namespace kalos
@@ -207,11 +210,22 @@ bool Bidirectional::addRound(long long first, int count, Workers& workers, Tally
         {
           if (tally.converged(r))
             continue;
+          const std::vector<std::size_t> partner = this->partners(r, replicate, first, count);
           for (int i = 0; i < count; ++i)
-            this->scorePair(r, replicate, first + i, halves[replicate][static_cast<std::size_t>(i)], tally);
+            this->scorePair(r, replicate, first + i, halves[replicate][partner[i]], tally);
           this->Direct.score(r, replicate, first, count, tally);
         }
       });
+}
+
+std::vector<std::size_t> Bidirectional::partners(std::size_t r, int replicate, long long first, int count) const
+{
+  std::vector<std::size_t> order(static_cast<std::size_t>(count));
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  RandomStream random = receiverStream(this->Settings_.seed, replicate, Purpose::Selection, r, first);
+  for (std::size_t i = order.size(); i > 1; --i)
+    std::swap(order[i - 1], order[static_cast<std::size_t>(random.next() * static_cast<double>(i))]);
+  return order;
 }
 
 void Bidirectional::scorePair(std::size_t r, int replicate, long long i, const LightHalf& light, Tally& tally) const

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Also known as: bidirectional path tracing (Lafortune and Willems 1993, Veach and Guibas 1994).
 //
-// Method `bidirectional`: trajectory i of the light and path i of each receiver are joined in all ways, a shadow ray
-// each, weighed by the balance heuristic (estimator/methods/BidirectionalPath.h):
+// Method `bidirectional`: the trajectories of a round and as many paths of each receiver, in pairs, are joined in all
+// ways, a shadow ray each, weighed by the balance heuristic (estimator/methods/BidirectionalPath.h):
 //
 //   E = E_direct + mean over i of  sum over m, j of  w  T_m f(x_m) G(x_m, z_j) V f(z_j) W_j
 //
@@ -55,6 +55,9 @@ private:
   void meet(std::size_t r, const std::vector<PathNode>& nodes, const SurfacePoint& y, const LightHalf& light,
             Scores& scores) const;
   void join(std::size_t r, const std::vector<PathNode>& nodes, const LightHalf& light, Scores& scores) const;
+  // The trajectories that the paths of a receiver are joined to, in an order of its own: points of one index in two
+  // Sobol' sequences are not independent, however they are scrambled.
+  std::vector<std::size_t> partners(std::size_t r, int replicate, long long first, int count) const;
   void scorePair(std::size_t r, int replicate, long long i, const LightHalf& light, Tally& tally) const;
   void joinOne(std::size_t r, const std::vector<PathNode>& nodes, std::size_t m, const LightHalf& light, std::size_t j,
                Scores& scores) const;
