@@ -94,6 +94,8 @@ kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings(const kalos::Ranks& ran
   settings.own.photons = this->Photons;
   settings.own.coneFilter = this->ConeFilter;
   settings.own.finalGather = this->FinalGather;
+  settings.own.linear = this->LinearElements;
+  settings.own.connections = this->Connections;
   if (this->DisabledTechniques)
     settings.disabled = kalos::TechniqueSet::named(this->DisabledTechniques);
   return settings;
@@ -162,6 +164,8 @@ void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Photons: " << this->Photons << "\n";
   os << indent << "ConeFilter: " << (this->ConeFilter ? "on" : "off") << "\n";
   os << indent << "FinalGather: " << (this->FinalGather ? "on" : "off") << "\n";
+  os << indent << "LinearElements: " << (this->LinearElements ? "on" : "off") << "\n";
+  os << indent << "Connections: " << this->Connections << "\n";
   os << indent << "CheckpointFile: " << (this->CheckpointFile ? this->CheckpointFile : "(none)") << "\n";
   os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
   os << indent << "TellWarnings: " << (this->TellWarnings ? "on" : "off") << "\n";

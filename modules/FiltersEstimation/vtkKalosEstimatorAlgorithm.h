@@ -56,14 +56,17 @@ public:
     GATHERED = 6,
     DIRECT = 7,
     PATHS = 8,
-    PHOTON_MAP = 9
+    PHOTON_MAP = 9,
+    RADIOSITY = 10,
+    BIDIRECTIONAL = 11
   };
 
   ///@{
   /**
    * The estimator, a MethodType. Default COMPENSATED. The first eight share trajectories of light among all receivers;
    * PATHS starts a path at each receiver per trajectory; PHOTON_MAP counts the photons that trajectories leave about
-   * each receiver. A method that can not serve a scene gives an error that says why.
+   * each receiver; RADIOSITY solves for finite elements; BIDIRECTIONAL joins trajectories and paths. A method that can
+   * not serve a scene gives an error that says why.
    */
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
@@ -149,7 +152,7 @@ public:
   ///@{
   /**
    * Radius of the averaging sphere or disc, half side of a point's cell for DIRECT, radius of PHOTON_MAP, which then
-   * does not shrink, m; at most the size of the scene. Default 0: automatic.
+   * does not shrink, longest edge of an element of RADIOSITY, m; at most the size of the scene. Default 0: automatic.
    */
   vtkSetMacro(Epsilon, double);
   vtkGetMacro(Epsilon, double);
@@ -174,11 +177,30 @@ public:
 
   ///@{
   /**
-   * PHOTON_MAP: read the map where rays from the receivers end, instead of at the receivers. Default off.
+   * PHOTON_MAP, RADIOSITY: read the map or the elements where rays from the receivers end, instead of at the
+   * receivers. Default off.
    */
   vtkSetMacro(FinalGather, bool);
   vtkGetMacro(FinalGather, bool);
   vtkBooleanMacro(FinalGather, bool);
+  ///@}
+
+  ///@{
+  /**
+   * RADIOSITY: linear elements, else constant ones. Default on.
+   */
+  vtkSetMacro(LinearElements, bool);
+  vtkGetMacro(LinearElements, bool);
+  vtkBooleanMacro(LinearElements, bool);
+  ///@}
+
+  ///@{
+  /**
+   * BIDIRECTIONAL: 1 local estimates only, 2 double ones, 3 triple ones, ... Default 0: all, weighed by the balance
+   * heuristic.
+   */
+  vtkSetMacro(Connections, int);
+  vtkGetMacro(Connections, int);
   ///@}
 
   ///@{
@@ -286,6 +308,8 @@ protected:
   int Photons = 0;
   bool ConeFilter = false;
   bool FinalGather = false;
+  bool LinearElements = true;
+  int Connections = 0;
   char* CheckpointFile = nullptr;
   double CheckpointInterval = 10;
   bool IntermediateResults = false;

@@ -21,7 +21,8 @@ BAD = [
     ("--error-floor", "-1", "expected a half-width of 0 lx or more"),
     ("--range", "5", ENDS), ("--range", "5:5", ENDS), ("--luminance-range", "0:nan", ENDS),
     ("--disable", "picked,walls", f"expected some of {', '.join(TECHNIQUES)}"),
-    ("--photons", "0", COUNT),
+    ("--photons", "0", COUNT), ("--connections", "0", "expected all, or a whole number from 1 to 100"),
+    ("--elements", "cubic", "expected linear or constant"),
     ("--time", "-1", "expected a time > 0, in seconds"),
     ("--seed", "-1", "expected a whole number from 0 to 2147483647"),
     ("--threads", "many", "expected a whole number from 0 (all) to 1024"),
@@ -42,13 +43,28 @@ def test_unknown_method(scene, command, tmp_path):
     assert status == 2 and one_line(error).startswith("--method: invalid choice: 'magic' (choose from 'compensated', ")
 
 
-@pytest.mark.parametrize("option, methods", [(("--photons", "50"), "photon-map"), (("--cone-filter",), "photon-map"),
-                                             (("--final-gather",), "photon-map")])
+@pytest.mark.parametrize("option, methods", [
+    (("--photons", "50"), "photon-map"), (("--cone-filter",), "photon-map"), (("--final-gather",), "photon-map or radiosity"),
+    (("--elements", "constant"), "radiosity"), (("--connections", "2"), "bidirectional")])
 def test_option_of_another_method(scene, command, tmp_path, option, methods):
     status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", "--method", "local", *option)
     assert status == 2
     assert one_line(error) == f"{option[0]}: has no effect on local, expected --method {methods}"
     assert not (tmp_path / "out").exists()
+
+
+def test_radiosity_refuses_mirrors(scene, command, tmp_path):
+    scene["materials"]["grey"] = {"reflectance": 0.3, "mirror": 0.2}
+    status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", "--method", "radiosity")
+    assert status == 2
+    assert one_line(error) == ("--method: radiosity knows diffuse surfaces only, and surface floor is glossy or a mirror; expected compensated "
+                               "or another method")
+
+
+def test_radiosity_refuses_what_memory_does_not_hold(scene, command, tmp_path):
+    status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", "--method", "radiosity", "--epsilon", "0.001")
+    assert status == 2
+    assert one_line(error).startswith("--epsilon: elements of 0.001 m are ") and one_line(error).endswith(" GB are free; expected longer ones")
 
 
 @pytest.mark.parametrize("option", ["--delta", "--epsilon"])

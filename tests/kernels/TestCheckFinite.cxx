@@ -173,7 +173,7 @@ TEST(Replay, IsTheReplicateOfTheSolve)
   d.luminaires = rooms::litRoom(0.6).luminaires;
   const Scene scene(d);
   for (const Method method : {Method::Local, Method::SphereExact, Method::Compensated, Method::Gathered, Method::Direct,
-                              Method::Paths, Method::PhotonMap})
+                              Method::Paths, Method::PhotonMap, Method::Bidirectional})
   {
     const Settings s = settings(method, 3200);
     const Result result = solve(scene, points(), s);

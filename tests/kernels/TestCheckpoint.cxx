@@ -57,7 +57,7 @@ TEST(Checkpoint, ResumedSolvesGiveBitwiseTheSameNumbers)
 {
   for (const Method method :
        {Method::Local, Method::SpherePublished, Method::SphereExact, Method::Disc, Method::Clamped, Method::Compensated,
-        Method::Gathered, Method::Direct, Method::Paths, Method::PhotonMap})
+        Method::Gathered, Method::Direct, Method::Paths, Method::PhotonMap, Method::Bidirectional})
   {
     Shelf shelf;
     expectResumed(points(), settings(method, shelf), shelf);

@@ -115,7 +115,7 @@ bool goOn(int, double)
 TEST(Ranks, GiveBitwiseTheNumbersOfOne)
 {
   for (const Method method : {Method::Compensated, Method::Gathered, Method::Local, Method::SphereExact, Method::Direct,
-                              Method::Paths, Method::PhotonMap})
+                              Method::Paths, Method::PhotonMap, Method::Bidirectional})
     for (const bool goal : {false, true})
     {
       Settings s;

@@ -11,7 +11,7 @@ TEST(Solver, ThreadsDoNotChangeABit)
 {
   const Scene scene(rooms::furnace(0.6, 100));
   for (Method method : {Method::Local, Method::Direct, Method::Compensated, Method::SphereExact, Method::Disc,
-                        Method::Paths, Method::PhotonMap})
+                        Method::Paths, Method::PhotonMap, Method::Bidirectional})
   {
     Settings s = quick(method, 3200);
     s.threads = 1;

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from kalos.charts.convergence import Truth, bias, deviation_of_mean, errors, time_to
+from kalos.charts.convergence import Truth, bias, deviation_of_mean, errors, parts, time_to
 
 TRUTH = Truth(np.array([100.0, 50.0, 0.0, 200.0]), np.zeros(4), "made up")
 
@@ -96,3 +96,15 @@ def test_a_bias_is_never_extrapolated_away():
     flat = time_to(0.005, [1, 2, 4, 8], [0.02, 0.0105, 0.0101, 0.01])
     assert flat.seconds is None and flat.how == "out of reach"
     assert time_to(0.005, [1.0], [0.02]).seconds is None
+
+
+def test_parts_tell_bias_from_noise():
+    random = np.random.default_rng(5)
+    truth = Truth(np.full(4000, 100.0), np.zeros(4000), "made up")
+    noisy = 100 * (1 + 0.05 * random.standard_normal((8, 4000)))
+    assert parts(noisy, truth, "value")["noise"] == pytest.approx(0.05, rel=0.02)
+    assert parts(noisy, truth, "value")["bias"] < 0.004  # hidden in its noise, 0.05 / sqrt(8) over many values
+    assert parts(1.1 * noisy, truth, "value")["bias"] == pytest.approx(0.1, rel=0.02)
+    half = noisy.copy()
+    half[:, ::2] *= 0.5
+    assert parts(half, truth, "mean")["bias"] == pytest.approx(0.5 / np.sqrt(2), rel=0.02)

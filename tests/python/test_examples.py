@@ -65,6 +65,14 @@ def test_edge_profile(example, tmp_path):
     assert colours(tmp_path / "edge-profile.png") > 50
 
 
+def test_connections(example, tmp_path):
+    module = example("connections", SEEDS=range(1, 5), TRAJECTORIES=256, SCENES=("furnace-edge",), CONNECTIONS=(1, 2, 4))
+    module.main(tmp_path)
+    (row,) = csv.DictReader((tmp_path / "connections.csv").open(encoding="ascii"))
+    assert row["scene"] == "Beside an edge of the white furnace" and float(row["1_over_all"]) > 10  # spikes
+    assert colours(tmp_path / "connections.png") > 50
+
+
 def test_parameter_study(example, tmp_path, capsys):
     example("parameter_study", PIXELS=5, REFERENCE=3200, METHODS=("sphere-published",)).main(tmp_path)
     words = capsys.readouterr().out

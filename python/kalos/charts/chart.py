@@ -18,7 +18,7 @@ import numpy as np
 
 from kalos._build import __version__
 from kalos.charts.contenders import PEERS, Room, View, assemble
-from kalos.charts.convergence import FARTHEST, Truth, bias, deviation_of_mean, errors, time_to
+from kalos.charts.convergence import FARTHEST, Truth, bias, deviation_of_mean, errors, parts, time_to
 from kalos.charts.picture import draw_chart
 from kalos.core.options import REFERENCE_METHOD, REFERENCE_TRAJECTORIES
 from kalos.core.output import staged, write_json
@@ -34,7 +34,7 @@ SEEDS, FEWER_SEEDS, MANY = 4, 2, 20000  # least number of runs per step; FEWER w
 MOST_SEEDS, SHARE = 32, 1 / 32  # more runs where a step takes less than this share of the budget: errors of few values are uneven
 FLAT = 1.25  # a step that takes less than this times the previous one is dominated by fixed costs; the next step is four times as long
 COLUMNS = ("contender", "effort", "seeds", "cpu_seconds", "rays", "rms_of_value", "p95_of_value", "max_of_value", "rms_of_mean",
-           "p95_of_mean", "max_of_mean", "mean_off", "mean_off_error")
+           "p95_of_mean", "max_of_mean", "mean_off", "mean_off_error", "noise_of_value", "bias_of_value", "noise_of_mean", "bias_of_mean")
 
 
 def chart(scene, out, receivers=None, methods=None, peers=tuple(PEERS), relative_to="value", budget=60.0,
@@ -102,7 +102,8 @@ def climb(contender, truth, budget, seed):
         row = {"contender": contender.NAME, "effort": runs[0].effort, "seeds": seeds, "cpu_seconds": float(np.mean(seconds)),
                "rays": rays, "mean_off": off, "mean_off_error": off_error}
         for relative_to in ("value", "mean"):
-            row.update({f"{name}_of_{relative_to}": value for name, value in errors(values, truth, relative_to).items()})
+            found = {**errors(values, truth, relative_to), **parts(values, truth, relative_to)}
+            row.update({f"{name}_of_{relative_to}": value for name, value in found.items()})
         rows.append(row)
         print(f"{contender.NAME:<16} {contender.EFFORT} {row['effort']:>9}  {row['cpu_seconds']:9.4f} s  "
               f"rms {100 * row['rms_of_value']:7.2f} % of the value, {100 * row['rms_of_mean']:7.2f} % of the mean",

@@ -44,6 +44,19 @@ def errors(estimates, truth, relative_to):
             "max": float(deviation.max())}
 
 
+def parts(estimates, truth, relative_to):
+    """The error's parts: noise, the spread of the repetitions, and bias, what they share, of which noise is taken out.
+
+    A bias that its own noise hides is 0.
+    """
+    relative = (np.asarray(estimates)[:, truth.lit] - truth.values[truth.lit]) / truth.scale(relative_to)
+    noise = np.mean(relative.var(axis=0, ddof=1))
+    shared = relative.mean(axis=0) ** 2 - relative.var(axis=0, ddof=1) / len(relative)
+    hidden = 2 * noise / len(relative) * np.sqrt(2 / shared.size)  # two standard errors of the mean square
+    square = np.mean(shared) - truth.noise(relative_to) ** 2
+    return {"noise": float(np.sqrt(noise)), "bias": float(np.sqrt(square)) if square > hidden else 0.0}
+
+
 def deviation_of_mean(estimates, truth):
     """Mean of the estimates over receivers and repetitions less that of the truth, relative, and its standard error."""
     means = np.asarray(estimates)[:, truth.lit].mean(axis=1) / truth.values[truth.lit].mean() - 1

@@ -1,72 +1,110 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The picture of a chart: error against time, large, and beside it against rays, at 95 % of the receivers and at the worst.
+"""The picture of a chart: error against time, large, and beside it noise, bias and the worst receiver.
 
-Kalos's unbiased and consistent methods are drawn in strong colours, its biased and simple ones thin, peers dashed; every
-line carries its name at its end.
+Families of methods have colours of their own, peers are dashed; every line carries its name at its end, and the families stand
+below with a line for each method.
 """
 from pathlib import Path
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
+from kalos.charts.families import FAMILIES
+from kalos.charts.families import style as family_style
 from kalos.pictures.drawing import DPI, GREY
 
 SIZE = (11.0, 6.4)  # inches
-STRONG = {"gathered": "#0b5d8f", "compensated": "#1b9e77", "local": "#7a3e9d"}
-QUIET = ("#8c6d31", "#a55194", "#637939", "#7f7f7f", "#5b7f95")
-PEER = ("#c2571a", "#d4a017", "#8f2d2d")
+STRONG = ("gathered", "compensated", "paths", "radiosity", "photon-map")  # drawn as strong lines
+LINE, MARGIN = 0.17, 0.15  # inches: of the legend, below it
 MOST = 100.0  # %: larger errors are not drawn
 
 
 def draw_chart(folder, result):
     """chart.png and chart.svg."""
-    figure = Figure(figsize=SIZE, dpi=DPI)
+    known = families(result)
+    foot = MARGIN + LINE * sum(1 + len(names) for _, names in known)  # inches
+    size = (SIZE[0], SIZE[1] + foot)
+    figure = Figure(figsize=size, dpi=DPI)
     FigureCanvasAgg(figure)
+
+    def place(left, bottom, width, height):
+        """Axes in shares of the upper part."""
+        up = SIZE[1] / size[1]
+        return figure.add_axes((left, 1 - up + up * bottom, width, up * height))
+
     styles = style(result["contenders"])
     of = result["relative_to"]
-    main = figure.add_axes((0.07, 0.1, 0.45, 0.72))
+    main = place(0.07, 0.1, 0.45, 0.72)
     curves(main, result, styles, "cpu_seconds", f"rms_of_{of}")
-    finish(main, "rms error", "processor time, s")
+    finish(main, "rms error: bias and noise together", "processor time, s")
     ends(main, result, styles)
-    if result["reference"]["rms"] > 0:
-        low, high = main.get_ylim()
-        if low < 100 * result["reference"]["rms"] < high:
-            main.axhline(100 * result["reference"]["rms"], color="0.6", linewidth=0.8, linestyle=":")
-            main.text(0.015, 100 * result["reference"]["rms"], "reference itself", fontsize=7.5, color=GREY, ha="left",
-                      va="bottom", transform=main.get_yaxis_transform())
+    mark_reference(main, result)
     single = "pixel" if result["quantity"] == "luminance" else "receiver"
-    small = [(f"95 % of the {single}s are better", "cpu_seconds", f"p95_of_{of}", "processor time, s"),
-             (f"worst {single}", "cpu_seconds", f"max_of_{of}", "processor time, s")]
-    if any(row["rays"] for row in result["steps"]):
-        small.insert(0, ("rms error", "rays", f"rms_of_{of}", "rays"))
+    small = (("noise: the spread of seeds", f"noise_of_{of}"), ("bias: what all seeds share", f"bias_of_{of}"),
+             (f"worst {single}", f"max_of_{of}"))
     height = 0.86 / len(small)
-    for k, (title, along, name, label) in enumerate(small):
-        axes = figure.add_axes((0.765, 0.1 + (len(small) - 1 - k) * (height - 0.02), 0.22, height - 0.155))
-        curves(axes, result, styles, along, name, small=True)
-        finish(axes, title, label, small=True)
-    reference = result["reference"]
-    own = f"each {single}'s own value" if of == "value" else f"the mean over the {single}s"
-    accuracy = "" if reference["rms"] == 0 else f", itself within {100 * reference['rms']:.2g} %"
-    threads = "one thread" if result["threads"] == 1 else f"{result['threads']} threads"
-    figure.text(0.07, 0.965, f"{Path(result['scene']).stem}, {result['receivers']}: error against time, {result['lit']} {single}s", fontsize=13.5, va="top")
-    line = f"Errors in % of {own}; reference: {reference['source']}{accuracy}. {threads.capitalize()}, set-up apart."
-    figure.text(0.07, 0.915, line, fontsize=9, color=GREY, va="top")
+    for k, (title, name) in enumerate(small):
+        axes = place(0.765, 0.1 + (len(small) - 1 - k) * (height - 0.02), 0.22, height - 0.155)
+        curves(axes, result, styles, "cpu_seconds", name, small=True)
+        finish(axes, title, "processor time, s", small=True)
+    head(figure, result, single, SIZE[1] / size[1])
+    legend(figure, known, size[1])
     for kind in ("png", "svg"):
         figure.savefig(folder / f"chart.{kind}", format=kind, metadata={"Software": None} if kind == "png" else {"Date": None})
 
 
+def head(figure, result, single, up):
+    of, reference = result["relative_to"], result["reference"]
+    own = f"each {single}'s own value" if of == "value" else f"the mean over the {single}s"
+    accuracy = "" if reference["rms"] == 0 else f", itself within {100 * reference['rms']:.2g} %"
+    threads = "one thread" if result["threads"] == 1 else f"{result['threads']} threads"
+    figure.text(0.07, 1 - 0.035 * up, f"{Path(result['scene']).stem}, {result['receivers']}: error against time, {result['lit']} {single}s",
+                fontsize=13.5, va="top")
+    line = f"Errors in % of {own}; reference: {reference['source']}{accuracy}. {threads.capitalize()}, set-up apart."
+    figure.text(0.07, 1 - 0.085 * up, line, fontsize=9, color=GREY, va="top")
+
+
+def mark_reference(axes, result):
+    """A line at the reference's own error."""
+    rms = 100 * result["reference"]["rms"]
+    low, high = axes.get_ylim()
+    if not low < rms < high:
+        return
+    axes.axhline(rms, color="0.6", linewidth=0.8, linestyle=":")
+    axes.text(0.015, rms, "reference itself", fontsize=7.5, color=GREY, ha="left", va="bottom", transform=axes.get_yaxis_transform())
+
+
+def families(result):
+    """The families that take part, with the names of those that do."""
+    names = [one["name"] for one in result["contenders"]]
+    found = [(one, [name for name in one.about if name in names]) for one in FAMILIES]
+    return [(one, taking) for one, taking in found if taking]
+
+
+def legend(figure, known, height):
+    """One line a contender, by families: what it is and who uses it."""
+    y = (MARGIN + LINE * sum(1 + len(names) for _, names in known)) / height
+    for one, names in known:
+        figure.text(0.07, y, one.title, fontsize=8.5, color="0.25", weight="bold", va="top")
+        y -= LINE / height
+        for name in names:
+            mark = y - 0.5 * LINE / height
+            figure.add_artist(Line2D((0.075, 0.1), (mark, mark), transform=figure.transFigure, linewidth=2, **family_style(name)))
+            figure.text(0.108, y, name, fontsize=8.5, va="top")
+            figure.text(0.225, y, one.about[name], fontsize=8.5, color=GREY, va="top")
+            y -= LINE / height
+
+
 def style(contenders):
-    """Line style per name."""
-    quiet, peer, found = iter(QUIET * 3), iter(PEER * 3), {}
+    """Line style per name: strong where there is no bias, with squares for peers."""
+    found = {}
     for one in contenders:
-        if one["peer"]:
-            found[one["name"]] = {"color": next(peer), "linestyle": (0, (4, 1.5)), "linewidth": 1.8, "marker": "s"}
-        elif one["name"] in STRONG:
-            found[one["name"]] = {"color": STRONG[one["name"]], "linewidth": 2.2, "marker": "o"}
-        else:
-            found[one["name"]] = {"color": next(quiet), "linewidth": 1.0, "marker": "."}
+        strong = one["name"] in STRONG
+        found[one["name"]] = {**family_style(one["name"]), "linewidth": 2.2 if strong else 1.8 if one["peer"] else 1.2,
+                              "marker": "s" if one["peer"] else "o" if strong else "."}
     return found
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Options that several commands have in common, and the estimate they ask for."""
-from kalos.core.limits import COUNT, SEED, THREADS, length
+from kalos.core.limits import COUNT, SEED, THREADS, connections, elements, length
 from kalos.core.options import DEFAULT_METHOD, METHODS, Options
 from kalos.errors import KalosError
 
@@ -15,10 +15,13 @@ def add_method_options(command, method):
         help="at most so many trajectories (10000; no limit with --error or --time)")
     add("--delta", metavar="M", type=length,
         help="distance below which the methods with a neighbourhood alter the kernel, m (auto: from the vertices' density)")
-    add("--epsilon", metavar="M", type=length, help="radius of the neighbourhood, m (auto: likewise)")
+    add("--epsilon", metavar="M", type=length, help="radius of the neighbourhood or of photon-map, length of radiosity's elements, m (auto: likewise)")
     add("--photons", metavar="K", type=COUNT, help="photon-map: count the nearest K photons (off: those within a radius)")
     add("--cone-filter", action="store_true", help="photon-map: photons count less the farther they are")
-    add("--final-gather", action="store_true", help="photon-map: read the map where rays from the receivers end")
+    add("--final-gather", action="store_true", help="photon-map, radiosity: read where rays from the receivers end, not at these")
+    add("--elements", metavar="KIND", type=elements, help="radiosity: linear or constant elements (linear)")
+    add("--connections", metavar="K", type=connections,
+        help="bidirectional: all, or only 1 local, 2 double, 3 triple ... estimates (all)")
     add("--seed", metavar="K", type=SEED, default=defaults.seed, help="seed of the random numbers (%(default)s)")
     add("--threads", metavar="T", type=THREADS, default=defaults.threads, help="threads, 0 for all (%(default)s)")
 

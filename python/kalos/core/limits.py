@@ -3,7 +3,7 @@
 import argparse
 import math
 
-from kalos.core.options import METHODS, OWN_OPTIONS, TECHNIQUES, Options
+from kalos.core.options import ELEMENTS, METHODS, OWN_OPTIONS, TECHNIQUES, Options
 from kalos.errors import InputError
 
 
@@ -52,6 +52,20 @@ def techniques(text):
     return names
 
 
+def elements(text):
+    if text not in ELEMENTS:
+        raise argparse.ArgumentTypeError(f"{text!r} is not allowed, expected {' or '.join(ELEMENTS)}")
+    return text
+
+
+CONNECTIONS = quantity(int, "all, or a whole number from 1 to 100", lambda n: 1 <= n <= 100)
+
+
+def connections(text):
+    """A number of connections; None, which is all of them, for that word."""
+    return None if text == "all" else CONNECTIONS(text)
+
+
 def flag(text):
     if text not in ("True", "False"):
         raise argparse.ArgumentTypeError(f"{text!r} is not allowed, expected True or False")
@@ -60,7 +74,7 @@ def flag(text):
 
 TYPES = {"method": method, "trajectories": COUNT, "error": RELATIVE, "share": SHARE, "error_floor": FLOOR, "time": TIME,
          "delta": GIVEN_LENGTH, "epsilon": GIVEN_LENGTH, "seed": SEED, "threads": THREADS,
-         "photons": COUNT, "cone_filter": flag, "final_gather": flag}
+         "photons": COUNT, "cone_filter": flag, "final_gather": flag, "elements": elements, "connections": connections}
 
 
 def checked_options(disable=(), checkpoint=None, method_options=None, **given):

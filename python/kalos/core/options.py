@@ -15,11 +15,14 @@ REFERENCE_SEED = 2**31 - 1  # one that no study is likely to use, so that refere
 
 # As vtkKalosIlluminance::Method numbers them.
 METHODS = {"compensated": 5, "gathered": 6, "local": 0, "sphere-published": 1, "sphere-exact": 2, "disc": 3, "clamped": 4,
-           "direct": 7, "paths": 8, "photon-map": 9}
+           "direct": 7, "paths": 8, "photon-map": 9,
+           "radiosity": 10, "bidirectional": 11}
 
 
 # Options of single methods, and the methods that they are for.
-OWN_OPTIONS = {"photons": ("photon-map",), "cone_filter": ("photon-map",), "final_gather": ("photon-map",)}
+OWN_OPTIONS = {"photons": ("photon-map",), "cone_filter": ("photon-map",), "final_gather": ("photon-map", "radiosity"),
+               "elements": ("radiosity",), "connections": ("bidirectional",)}
+ELEMENTS = ("linear", "constant")
 
 # Names for vtkKalosIlluminance::DisabledTechniques; none adds bias.
 TECHNIQUES = ("stratified", "picked", "convex", "near", "paths", "neighbours", "effort", "highlights", "exact-direct")
@@ -42,7 +45,9 @@ class Options:
     error_floor: float = None  # lx, half-width that is small enough for any value; automatic: for a hundredth of the mean
     photons: int = None  # photon-map: the nearest so many; automatic: those within a radius
     cone_filter: bool = False  # photon-map: photons count less the farther they are
-    final_gather: bool = False  # photon-map: read where rays from the receivers end
+    final_gather: bool = False  # photon-map, radiosity: read where rays from the receivers end
+    elements: str = None  # radiosity: one of ELEMENTS; automatic: linear
+    connections: int = None  # bidirectional: 1 local estimates, 2 double ones, ...; automatic: all
     time: float = None  # goal: s
     seed: int = 1
     threads: int = 0  # 0 for all
@@ -73,6 +78,8 @@ class Options:
         estimator.SetPhotons(self.photons or 0)
         estimator.SetConeFilter(bool(self.cone_filter))
         estimator.SetFinalGather(bool(self.final_gather))
+        estimator.SetLinearElements(self.elements != "constant")
+        estimator.SetConnections(self.connections or 0)
         estimator.SetRelativeError(self.error or 0)
         estimator.SetErrorShare(SHARE if self.share is None else self.share)
         estimator.SetErrorFloor(-1 if self.error_floor is None else self.error_floor)

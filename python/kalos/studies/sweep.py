@@ -11,8 +11,8 @@ MOST = 400  # combinations: a guard against typing errors
 SYMBOLS = {"trajectories": "N", "delta": "δ", "epsilon": "ε"}
 
 # Methods that an option has no effect on.
-NO_EFFECT = {"delta": ("local", "compensated", "gathered", "disc", "direct", "paths", "photon-map"),
-             "epsilon": ("local", "compensated", "gathered", "paths")}
+NO_EFFECT = {"delta": ("local", "compensated", "gathered", "disc", "direct", "paths", "photon-map", "radiosity", "bidirectional"),
+             "epsilon": ("local", "compensated", "gathered", "paths", "bidirectional")}
 
 # V. P. Budak, A. V. Grimailo, V. S. Zheltov, S. A. Yakushev: GraphiCon 2023, Table 1. A cross, not every combination.
 TABLE1 = [("trajectories", (10000, 1000, 100), {"delta": 0.25, "epsilon": 0.15}),

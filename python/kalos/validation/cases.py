@@ -15,7 +15,7 @@ if not DATA.exists():
     DATA = PACKAGE.parents[3] / "share" / "kalos" / "data"  # of an installed one
 
 
-PATHS, PATHS_SHARE = ("paths", "bidirectional"), 64  # these start a path at each receiver per trajectory
+PATHS = {"paths": 64, "bidirectional": 8}  # they start a path at each receiver per trajectory: so many times fewer do
 
 
 @dataclass(frozen=True)
@@ -30,16 +30,19 @@ class Case:
     cell: float = None  # m, half side of the cells of method direct; where None its means over cells are no points
     sky: Optional[int] = None  # type of the CIE that takes the place of the scene's
     methods: Optional[Tuple[str, ...]] = None  # those that are examined, such as find narrow lobes; None: all
+    finite: bool = True  # finite elements can cover it
     near: float = None  # m, delta and epsilon of the methods that average or clamp, where the automatic ones are too wide
 
     def takes(self, method):
-        """Whether the case tells anything about a method: means over cells are no points."""
-        return method in self.methods if self.methods else method != "direct" or bool(self.cell)
+        """Whether the case tells anything about a method: means over cells are no points, planes without end no elements."""
+        if self.methods:
+            return method in self.methods
+        return not (method == "direct" and not self.cell) and not (method == "radiosity" and not self.finite)
 
     def options(self, method, trajectories=None, seed=1):
         """How this case is solved by a method."""
         near = self.cell if method == "direct" else self.near
-        own = self.trajectories // PATHS_SHARE if method in PATHS else self.trajectories
+        own = self.trajectories // PATHS.get(method, 1)
         return Options(method=method, trajectories=trajectories or own, seed=seed, delta=near, epsilon=near)
 
 
@@ -52,7 +55,7 @@ def sobolev_case(h1, rho1, rho2):
         return np.array([truths.sobolev(1, h1, 1, rho1, rho2, float(np.hypot(x, y))) for x, y, _ in points])
 
     name = f"{10 * rho1:.0f}-{10 * rho2:.0f}"
-    return Case(f"Sobolev's planes, {rho1} {rho2}", f"sobolev/sobolev-{name}.json", truth, 100000, 0.01, near=0.02)
+    return Case(f"Sobolev's planes, {rho1} {rho2}", f"sobolev/sobolev-{name}.json", truth, 100000, 0.01, finite=False, near=0.02)
 
 
 def with_normals(truth):

@@ -35,6 +35,8 @@ const QVector<Method>& methods()
       {Estimator::DIRECT, "direct", false, true},
       {Estimator::PATHS, "paths", false, false},
       {Estimator::PHOTON_MAP, "photon-map", false, true},
+      {Estimator::RADIOSITY, "radiosity", false, true},
+      {Estimator::BIDIRECTIONAL, "bidirectional", false, false},
   };
   return all;
 }

@@ -9,7 +9,9 @@ struct MethodOptions
 {
   int photons = 0;           ///< `photon-map`: the nearest so many; 0: those within a radius
   bool coneFilter = false;   ///< `photon-map`: photons count less the farther they are
-  bool finalGather = false;  ///< `photon-map`: the map is seen by rays from the receivers, not read at them
+  bool finalGather = false;  ///< `photon-map`, `radiosity`: seen by rays from the receivers, not read at them
+  bool linear = true;        ///< `radiosity`: linear elements; false: constant ones
+  int connections = 0;       ///< `bidirectional`: 1 local estimates only, 2 double ones, ...; 0: all
 };
 }  // namespace kalos
 

@@ -22,7 +22,9 @@ enum class Method
   Gathered,
   Direct,
   Paths,
-  PhotonMap
+  PhotonMap,
+  Radiosity,
+  Bidirectional
 };
 
 class Ranks;

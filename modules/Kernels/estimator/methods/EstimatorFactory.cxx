@@ -3,12 +3,14 @@
 
 #include <stdexcept>
 
+#include "estimator/methods/Bidirectional.h"
 #include "estimator/methods/CompensatedEstimation.h"
 #include "estimator/methods/DirectSimulation.h"
 #include "estimator/methods/FinalGathering.h"
 #include "estimator/methods/LocalEstimation.h"
 #include "estimator/methods/PathTracing.h"
 #include "estimator/methods/PhotonMap.h"
+#include "estimator/methods/Radiosity.h"
 
 namespace kalos
 {
@@ -32,6 +34,10 @@ std::unique_ptr<Estimator> makeEstimator(const Scene& scene, const Receivers& re
       return std::make_unique<PathTracing>(scene, receivers, settings);
     case Method::PhotonMap:
       return std::make_unique<PhotonMap>(scene, receivers, settings);
+    case Method::Radiosity:
+      return std::make_unique<Radiosity>(scene, receivers, settings);
+    case Method::Bidirectional:
+      return std::make_unique<Bidirectional>(scene, receivers, settings);
     default:
       throw std::invalid_argument("method: does not exist");
   }

@@ -58,7 +58,8 @@ std::string broadcast(const Ranks& ranks, const std::string& bytes)
 std::string describe(const MethodOptions& own)
 {
   std::ostringstream text;
-  text << own.photons << (own.coneFilter ? ", cone filter" : "") << (own.finalGather ? ", final gather" : "");
+  text << own.photons << (own.coneFilter ? ", cone filter" : "") << (own.finalGather ? ", final gather" : "")
+       << (own.linear ? ", linear" : ", constant") << ", connections " << own.connections;
   return text.str();
 }
 

@@ -86,6 +86,7 @@ EmissionSample Emission::fromLuminaire(std::size_t i, double u, SampleStream& ra
   const Luminaire& luminaire = this->Scene_.data().luminaires[i];
   EmissionSample start;
   start.emitter = i;
+  start.luminaire = &luminaire;
   start.fromPoint = luminaire.isPoint();
   start.anchor = this->Scene_.luminaireAnchor(i);  // a lamp mounted flush with a ceiling shines into the room
   start.weight = uniformBands(this->TotalFlux);

@@ -15,7 +15,8 @@ struct EmissionSample
 {
   RayAnchor anchor;  ///< where the trajectory starts
   Vec3 direction;
-  bool fromPoint = false;  ///< from a point luminaire
+  const Luminaire* luminaire = nullptr;  ///< null: from a mesh or the sky
+  bool fromPoint = false;                ///< from a point luminaire
   bool fromSky = false;
   bool onSurface = false;      ///< from a mesh (else from a luminaire, which has no body)
   std::size_t emitter = 0;     ///< the luminaire, when not onSurface
