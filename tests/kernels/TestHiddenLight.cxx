@@ -46,7 +46,7 @@ TEST(HiddenLight, AFewPicksSeenDoNotSettleIt)
   const MeanAndError estimate{10, 0.1};
   EXPECT_TRUE(hiddenIsLittle({0, 0, 0}, 100, estimate));       // nothing was picked
   EXPECT_FALSE(hiddenIsLittle({1e5, 500, 0}, 100, estimate));  // 2 lx a pick: three of them might be missed
-  EXPECT_TRUE(hiddenIsLittle({1e4, 500, 0}, 100, estimate));   // 0.6 lx at most
+  EXPECT_TRUE(hiddenIsLittle({8e3, 500, 0}, 100, estimate));   // 0.48 lx at most, a twentieth of the value
   EXPECT_TRUE(hiddenIsLittle({1e5, 500, 16}, 100, estimate));  // enough were seen for the replicates to know
   EXPECT_FALSE(hiddenIsLittle({1e5, 500, 15}, 100, estimate));
   EXPECT_TRUE(hiddenIsLittle({1e5, 500, 0}, 100, {10, 4}));  // within the interval

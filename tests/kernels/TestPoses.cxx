@@ -142,5 +142,5 @@ INSTANTIATE_TEST_SUITE_P(Poses, EachMethod,
                                          Case{"compensated", Method::Compensated, 16384, 16384, 0.002},
                                          Case{"gathered", Method::Gathered, 16384, 16384, 0.002},
                                          Case{"direct", Method::Direct, 160000, 160000, 0.02},
-                                         Case{"paths", Method::Paths, 16384, 16384, 0.002}),
+                                         Case{"paths", Method::Paths, 4096, 4096, 0.005}),
                          [](const auto& instance) { return std::string(instance.param.name); });

@@ -13,7 +13,7 @@ namespace kalos
 {
 AdaptiveSampling::AdaptiveSampling(const Goal& goal, const Tally& pilot)
 {
-  for (const double distance : goal.distances(pilot, pilotTrajectories))
+  for (const double distance : goal.distances(pilot, pilotTrajectories, true))
     this->Needed.push_back(pilotTrajectories * distance * distance);
 }
 

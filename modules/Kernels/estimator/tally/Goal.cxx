@@ -23,7 +23,7 @@ double Goal::floorFor(double meanIlluminance) const
   return this->Floor >= 0 ? this->Floor : dim * this->RelativeError * meanIlluminance;
 }
 
-std::vector<double> Goal::distances(const Tally& tally, long long n) const
+std::vector<double> Goal::distances(const Tally& tally, long long n, bool pooled) const
 {
   std::vector<MeanAndError> found;
   double sum = 0;
@@ -42,10 +42,16 @@ std::vector<double> Goal::distances(const Tally& tally, long long n) const
     const double own = found[r].standardError > 0 ? this->Quantile * found[r].standardError / allowed : 0;
     squares.push_back(own * own * static_cast<double>(tally.trajectories(r, n)));
   }
-  std::vector<double> distances = this->Pooled.pool(squares);
+  const auto fluctuating = squares.size() - static_cast<std::size_t>(std::count(squares.begin(), squares.end(), 0.0));
+  std::vector<double> distances = pooled || this->letGo(fluctuating) > 0 ? this->Pooled.pool(squares) : squares;
   for (std::size_t r = 0; r < found.size(); ++r)
     distances[r] = std::sqrt(distances[r] / static_cast<double>(tally.trajectories(r, n)));
   return distances;
+}
+
+std::ptrdiff_t Goal::letGo(std::size_t receivers) const
+{
+  return static_cast<std::ptrdiff_t>((1 - this->Share) * static_cast<double>(receivers));
 }
 
 double Goal::distance(const Tally& tally, long long n) const
@@ -54,7 +60,7 @@ double Goal::distance(const Tally& tally, long long n) const
   all.erase(std::remove(all.begin(), all.end(), 0.0), all.end());
   if (all.empty())
     return 0;
-  const auto beyond = static_cast<std::ptrdiff_t>((1 - this->Share) * static_cast<double>(all.size()));
+  const std::ptrdiff_t beyond = this->letGo(all.size());
   std::nth_element(all.begin(), all.end() - 1 - beyond, all.end());
   return *(all.end() - 1 - beyond);
 }

@@ -34,14 +34,16 @@ public:
   /// receivers lies; reached at 1.
   double distance(const Tally& tally, long long n) const;
 
-  /// Every receiver's half-width over what is allowed, in their order; 0 where nothing fluctuates.
-  std::vector<double> distances(const Tally& tally, long long n) const;
+  /// Every receiver's half-width over what is allowed, in their order; 0 where nothing fluctuates. Pooled over
+  /// neighbours where the share lets some receivers go, or always where `pooled`.
+  std::vector<double> distances(const Tally& tally, long long n, bool pooled = false) const;
 
   /// Fills Result::goal and Result::errorFloor from the values of the result, after n trajectories of every replicate.
   void judge(const Tally& tally, long long n, Result& result) const;
 
 private:
   double floorFor(double meanIlluminance) const;
+  std::ptrdiff_t letGo(std::size_t receivers) const;  // of so many, how many may miss the goal
 
   double RelativeError, Share, Floor, Quantile;
   PooledErrors Pooled;
