@@ -7,6 +7,7 @@
 #define kalos_estimator_gathering_WavefrontGather_h
 
 #include "estimator/gathering/GatherContext.h"
+#include "estimator/kernel/PickCount.h"
 #include "scene/RayBatch.h"
 
 namespace kalos
