@@ -35,7 +35,6 @@ def test_python(page, place):
     """What stands on a page runs from top to bottom, without a warning."""
     ran = subprocess.run([sys.executable, "-c", "\n".join(PYTHON[page])], cwd=place, capture_output=True, text=True, check=False)
     assert ran.returncode == 0 and "warning" not in ran.stderr.lower(), ran.stderr
-    assert ran.stdout
 
 
 def commands(block):
