@@ -159,27 +159,27 @@ public:
   ///@}
 
   ///@{
-  /**
-   * PHOTON_MAP: count the nearest so many photons instead of those within a radius. Default 0: a radius.
-   */
+  /** PHOTON_MAP: count the nearest so many photons instead of those within a radius. Default 0: a radius. */
   vtkSetMacro(Photons, int);
   vtkGetMacro(Photons, int);
   ///@}
 
   ///@{
-  /**
-   * PHOTON_MAP: let photons count less the farther they are (cone filter). Default off.
-   */
+  /** PHOTON_MAP: let photons count less the farther they are (cone filter). Default off. */
   vtkSetMacro(ConeFilter, bool);
   vtkGetMacro(ConeFilter, bool);
   vtkBooleanMacro(ConeFilter, bool);
   ///@}
 
   ///@{
+<<<<<<< HEAD
   /**
    * PHOTON_MAP, RADIOSITY: read the map or the elements where rays from the receivers end, instead of at the
    * receivers. Default off.
    */
+=======
+  /** PHOTON_MAP: read the map where rays from the receivers end, instead of at the receivers. Default off. */
+>>>>>>> be95368
   vtkSetMacro(FinalGather, bool);
   vtkGetMacro(FinalGather, bool);
   vtkBooleanMacro(FinalGather, bool);

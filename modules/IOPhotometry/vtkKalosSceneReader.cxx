@@ -141,7 +141,6 @@ Scene readScene(const std::string& path, double unit, const std::string& up)
   addLightNotes(surfaces.lights, surfaces.approximations);
   tellDarkness(scene, surfaces.approximations);
   putNotes(surfaces.approximations, scene.surfaces);
-
   if (surfaces.all.empty() && lamps->GetNumberOfPoints() == 0 && !root.has("sky"))
   {
     root.fail("empty: no surfaces and no luminaires; expected at least one of them");

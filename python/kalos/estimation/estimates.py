@@ -31,8 +31,7 @@ Progress = Union[None, bool, Callable[[float], None]]
 def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, normals: ArrayLike, *,
                 error: Optional[float] = None, share: Optional[float] = None, error_floor: Optional[float] = None,
                 time: Optional[float] = None, trajectories: Optional[int] = None, method: str = DEFAULT_METHOD, delta: Optional[float] = None,
-                epsilon: Optional[float] = None,
-                method_options: Optional[Mapping[str, Any]] = None, seed: int = 1,
+                epsilon: Optional[float] = None, method_options: Optional[Mapping[str, Any]] = None, seed: int = 1,
                 threads: int = 0, checkpoint: Union[None, str, os.PathLike] = None, progress: Progress = None) -> Illuminance:
     """Illuminance (lx) at points, with a standard error each.
 
@@ -65,9 +64,8 @@ def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, n
     >>> sorted(result.as_dict())[:3]
     ['direct_lx', 'illuminance_lx', 'nx']
     """
-    options = checked_options(method=method, trajectories=trajectories, error=error, share=share, error_floor=error_floor,
-                              time=time, delta=delta, epsilon=epsilon, method_options=method_options,
-                              seed=seed, threads=threads, checkpoint=checkpoint)
+    options = checked_options(method=method, trajectories=trajectories, error=error, share=share, error_floor=error_floor, time=time,
+                              delta=delta, epsilon=epsilon, method_options=method_options, seed=seed, threads=threads, checkpoint=checkpoint)
     points = non_empty("points", numbers("points", points, [("n", 3), ("rows", "columns", 3)]))
     normals = units("normals", normals, [points.shape, (3,)])
     if normals.ndim == 1:
