@@ -172,14 +172,7 @@ public:
   ///@}
 
   ///@{
-<<<<<<< HEAD
-  /**
-   * PHOTON_MAP, RADIOSITY: read the map or the elements where rays from the receivers end, instead of at the
-   * receivers. Default off.
-   */
-=======
-  /** PHOTON_MAP: read the map where rays from the receivers end, instead of at the receivers. Default off. */
->>>>>>> be95368
+  /** PHOTON_MAP, RADIOSITY: read map or elements where rays from the receivers end. Default off. */
   vtkSetMacro(FinalGather, bool);
   vtkGetMacro(FinalGather, bool);
   vtkBooleanMacro(FinalGather, bool);
