@@ -73,26 +73,19 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Upper limit of trajectories over all replicates. Default 0: 10 000 without a goal, no limit with one.
-   */
+  /** Upper limit of trajectories over all replicates. Default 0: 10 000 without a goal, no limit with one. */
   vtkSetMacro(Trajectories, vtkIdType);
   vtkGetMacro(Trajectories, vtkIdType);
   ///@}
 
   ///@{
-  /**
-   * Goal: relative 95 % half-width at every receiver, in [0,1). Default 0: no such goal.
-   */
+  /** Goal: relative 95 % half-width at ErrorShare of the receivers, in [0,1). Default 0: no such goal. */
   vtkSetMacro(RelativeError, double);
   vtkGetMacro(RelativeError, double);
   ///@}
 
   ///@{
-  /**
-   * Share of the receivers that RelativeError is asked of, in (0,1]. Default 0.95: the few worst of many do not hold
-   * up the others. 1: all.
-   */
+  /** Share of the receivers that RelativeError is asked of, in (0,1]. Default 0.95; 1: all of them. */
   vtkSetMacro(ErrorShare, double);
   vtkGetMacro(ErrorShare, double);
   ///@}
@@ -108,16 +101,13 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Goal: time of the solve, s. Default 0: no such goal.
-   */
+  /** Goal: time of the solve, s. Default 0: no such goal. */
   vtkSetMacro(Seconds, double);
   vtkGetMacro(Seconds, double);
   ///@}
 
   ///@{
-  /**
-   * Whether the warnings of the audit are warning events as well, which VTK shows in its output window. Default: on.
+  /** Whether the warnings of the audit are warning events as well, which VTK shows in its output window. Default: on.
    */
   vtkSetMacro(TellWarnings, bool);
   vtkGetMacro(TellWarnings, bool);
@@ -125,25 +115,19 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Seed of the random numbers. Default 1.
-   */
+  /** Seed of the random numbers. Default 1. */
   vtkSetMacro(Seed, vtkIdType);
   vtkGetMacro(Seed, vtkIdType);
   ///@}
 
   ///@{
-  /**
-   * Threads. Default 0: all processors.
-   */
+  /** Threads. Default 0: all processors. */
   vtkSetMacro(Threads, int);
   vtkGetMacro(Threads, int);
   ///@}
 
   ///@{
-  /**
-   * Distance below which the sphere methods average and CLAMPED clamps, m; at most the size of the scene. Default 0:
-   * automatic.
+  /** Distance below which sphere methods average and CLAMPED clamps, m; up to the scene's size. Default 0: automatic.
    */
   vtkSetMacro(Delta, double);
   vtkGetMacro(Delta, double);
@@ -179,19 +163,14 @@ public:
   ///@}
 
   ///@{
-  /**
-   * RADIOSITY: linear elements, else constant ones. Default on.
-   */
+  /** RADIOSITY: linear elements, else constant ones. Default on. */
   vtkSetMacro(LinearElements, bool);
   vtkGetMacro(LinearElements, bool);
   vtkBooleanMacro(LinearElements, bool);
   ///@}
 
   ///@{
-  /**
-   * BIDIRECTIONAL: 1 local estimates only, 2 double ones, 3 triple ones, ... Default 0: all, weighed by the balance
-   * heuristic.
-   */
+  /** BIDIRECTIONAL: 1 local estimates only, 2 double ones, ... Default 0: all, by the balance heuristic. */
   vtkSetMacro(Connections, int);
   vtkGetMacro(Connections, int);
   ///@}
@@ -221,9 +200,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Time between checkpoints, s, >= 0. They are saved after complete rounds of trajectories. Default 10.
-   */
+  /** Time between checkpoints, s, >= 0. They are saved after complete rounds of trajectories. Default 10. */
   vtkSetMacro(CheckpointInterval, double);
   vtkGetMacro(CheckpointInterval, double);
   ///@}

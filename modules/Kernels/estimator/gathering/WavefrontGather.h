@@ -7,8 +7,8 @@
 #define kalos_estimator_gathering_WavefrontGather_h
 
 #include "estimator/gathering/GatherContext.h"
+#include "estimator/gathering/PendingLight.h"
 #include "estimator/kernel/PickCount.h"
-#include "scene/RayBatch.h"
 
 namespace kalos
 {
@@ -21,7 +21,8 @@ public:
         Pool(pool),
         Count(static_cast<std::size_t>(gathering.scene().bands())),
         Later(gathering.blockShare(pool.trajectories, rayBlock)),
-        LaterStarts(gathering.startShare(pool.trajectories, rayBlock))
+        LaterStarts(gathering.startShare(pool.trajectories, rayBlock)),
+        Pending(Count)
   {
   }
 
@@ -106,13 +107,10 @@ private:
   std::size_t Count;          // of bands
   double Later, LaterStarts;  // shares of the rays after the first
   std::vector<PathState> Paths;
-  std::vector<PickCount> Picked;             // by path
-  std::vector<double> Found;                 // light and emission, by each
-  std::vector<std::size_t> Active;           // indices of paths that have not ended
-  std::vector<ShadowRay> Shadows;            // to be traced
-  std::vector<double> PendingContributions;  // contribution of each shadow ray
-  std::vector<std::size_t> PendingPath;      // path of each shadow ray
-  std::vector<char> PendingPick;             // whether it is counted in Picked
+  std::vector<PickCount> Picked;    // by path
+  std::vector<double> Found;        // light and emission, by each
+  std::vector<std::size_t> Active;  // indices of paths that have not ended
+  PendingLight Pending;
 };
 }  // namespace kalos
 
