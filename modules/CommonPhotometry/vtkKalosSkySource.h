@@ -6,19 +6,15 @@
  * Input (optional): vtkPolyData of luminaires. Output: the same luminaires, or none, with the sky in the field data
  * arrays Sky and SkyMap of vtkKalosArrayNames.h. It goes where luminaires go: the third input of vtkKalosIlluminance.
  *
- * | property                     | unit  | default | allowed                                                   |
- * |------------------------------|-------|---------|-----------------------------------------------------------|
- * | Model                        |       | 1       | 1 to 16: type of CIE S 011 (ISO 15469), 16 the traditional |
- * |                              |       |         | overcast sky; PEREZ: the all-weather model; MAP: a picture |
- * | HorizontalIlluminance        | lx    | 10000   | at least 0, of the sky without the sun; negative: not given |
- * | ZenithLuminance              | cd/m² | -1      | at least 0, instead of it; negative: not given              |
- * | SunElevationDegrees          | deg   | 45      | 0 to 90                                                    |
- * | SunAzimuthDegrees            | deg   | 180     | finite; clockwise from north, seen from above              |
- * | SunNormalIlluminance         | lx    | 0       | at least 0, across the sun's rays; negative: of PEREZ      |
- * | DirectNormalIrradiance       | W/m²  | 0       | at least 0, for PEREZ                                      |
- * | DiffuseHorizontalIrradiance  | W/m²  | 0       | at least 0, for PEREZ                                      |
- * | GroundReflectance            |       | 0       | 0 to 1                                                     |
- * | NorthDegrees                 | deg   | 0       | finite; north is +y turned clockwise by it, seen from above |
+ * Properties:
+ * - Model (1): 1 to 16, a type of CIE S 011 (ISO 15469), 16 being the traditional overcast sky; PEREZ, the all-weather
+ *   model; MAP, a picture.
+ * - HorizontalIlluminance (10000 lx): at least 0, of the sky without the sun; negative: not given.
+ * - ZenithLuminance (-1 cd/m2): at least 0, instead of it; negative: not given.
+ * - SunElevationDegrees (45): 0 to 90. SunAzimuthDegrees (180): clockwise from north, seen from above.
+ * - SunNormalIlluminance (0 lx): at least 0, across the sun's rays; negative: that of PEREZ.
+ * - DirectNormalIrradiance, DiffuseHorizontalIrradiance (0 W/m2): at least 0, for PEREZ.
+ * - GroundReflectance (0): 0 to 1. NorthDegrees (0): north is +y turned clockwise by it, seen from above.
  *
  * The sun is a disc of 0.53 degrees; with SunNormalIlluminance 0 it only says where the sky is bright. Below the
  * horizon the ground has the luminance rho E_h / pi, E_h being the sky's horizontal illuminance. Where neither

@@ -12,7 +12,7 @@ BAD = [
     ("kalos", 2, "kalos: found 2; expected a whole number from 1 to 1"),
     ("kalos", ..., 'scene: the key "kalos" is missing'),
     ("extra", 1, 'scene: unknown key "extra"; expected kalos, materials, surfaces, luminaires, receivers, cameras, sky, '
-     'north_deg, ground, $schema'),
+     'north_deg, ground, maintenance_factor, $schema'),
     ("materials.grey.colour", 1, 'materials.grey: unknown key "colour"; expected reflectance, specular, roughness, mirror, '
                                  "exitance"),
     ("materials.grey.reflectance", 1, f"materials.grey.reflectance: found 1; expected {REFLECTANCE}"),

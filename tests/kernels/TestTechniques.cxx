@@ -72,7 +72,8 @@ Result solveRoom(Kind kind, const std::string& without, std::uint64_t seed)
   if (kind == Kind::Goaled)
   {
     s.trajectories = 200000;
-    s.relativeError = 0.02;
+    s.relativeError = 0.015;
+    s.errorShare = 1;
   }
   s.seed = seed;
   s.disabled = TechniqueSet::named(without);

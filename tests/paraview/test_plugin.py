@@ -127,7 +127,7 @@ class Plugin(unittest.TestCase):
             path = os.path.join(folder, "quad.obj")
             with open(path, "w", encoding="utf-8") as file:
                 file.write("v 0 0 0\nv 2000 0 0\nv 2000 1000 0\nv 0 1000 0\nf 1 2 3 4\n")
-            reader = pv.KalosSceneReader(FileName=path, ModelUnitm=0.001, ModelUp="y")
+            reader = pv.KalosSceneReader(FileName=path, ModelUnit=0.001, ModelUp="y")
             bounds = reader.GetDataInformation(0).GetBounds() if not reader.UpdatePipeline() else None
             for found, expected in zip(bounds, (0, 2, 0, 0, 0, 1)):
                 self.assertAlmostEqual(found, expected, places=6)

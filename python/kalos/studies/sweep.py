@@ -89,7 +89,8 @@ def with_reference_method(rows):
     panels = {}
     for row in rows:
         for panel in row.panels:
-            options = replace(panel.options, method=REFERENCE_METHOD, delta=None, epsilon=None, **dict.fromkeys(OWN_OPTIONS))
+            own = {name: getattr(Options(), name) for name in OWN_OPTIONS}
+            options = replace(panel.options, method=REFERENCE_METHOD, delta=None, epsilon=None, **own)
             panels.setdefault(options.trajectories, options)
     named = [Panel(label("trajectories", n) if n else REFERENCE_METHOD, options) for n, options in panels.items()]
     return rows + [Row(f"{REFERENCE_METHOD}, no neighbourhood", tuple(named))]

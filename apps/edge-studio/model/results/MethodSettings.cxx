@@ -54,6 +54,7 @@ void MethodSettings::apply(Estimator* estimator) const
   estimator->SetMethod(this->method);
   estimator->SetTrajectories(this->goal == Goal::Trajectories ? this->trajectories : 0);
   estimator->SetRelativeError(this->goal == Goal::Error ? this->relativeError : 0);
+  estimator->SetErrorShare(1);  // the window names the largest error
   estimator->SetSeconds(this->goal == Goal::Time ? this->seconds : 0);
   estimator->SetDelta(this->delta);
   estimator->SetEpsilon(this->epsilon);
