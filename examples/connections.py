@@ -67,7 +67,7 @@ def draw(path, found):
         axes.annotate(title, (CONNECTIONS[-1], shown[-1]), xytext=(CONNECTIONS[-1] + 0.25, np.exp(places[title])), fontsize=9, color=colour,
                       va="center", annotation_clip=False, arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.5})
     axes.set_yscale("log")
-    axes.set_xticks(CONNECTIONS, ["1\nlocal", "2\ndouble", "3\ntriple", "4\nquadruple", "5", "6"])
+    axes.set_xticks(CONNECTIONS, ["1\nlocal", "2\ndouble", "3\ntriple", "4\nquadruple", "5", "6"][:len(CONNECTIONS)])
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.yaxis.set_minor_formatter(NullFormatter())
     axes.grid(axis="y", color="0.92")

@@ -108,3 +108,19 @@ TEST(SkyLight, OpeningsAreFound)
   EXPECT_EQ(openings.all()[0].outward.z, 1);
   EXPECT_NEAR(openings.all()[0].rays, 1, 1e-12);
 }
+
+TEST(SkyLight, IsRefusedByMethodsThatKnowNoSky)
+{
+  SceneDescription room = skylitRoom(0.5);
+  room.sky = cie(1, 10000, 0.3, {0, 0.5, 0});
+  const Scene scene(room);
+  Receivers receivers;
+  receivers.points = {{1, 1, 0.5}};
+  receivers.normals = {{0, 0, 1}};
+  Settings s;
+  for (const Method method : {Method::Radiosity, Method::Bidirectional})
+  {
+    s.method = method;
+    EXPECT_THROW(solve(scene, receivers, s), std::invalid_argument);
+  }
+}

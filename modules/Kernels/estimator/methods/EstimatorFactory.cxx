@@ -2,6 +2,7 @@
 #include "estimator/methods/EstimatorFactory.h"
 
 #include <stdexcept>
+#include <string>
 
 #include "estimator/methods/Bidirectional.h"
 #include "estimator/methods/CompensatedEstimation.h"
@@ -14,6 +15,16 @@
 
 namespace kalos
 {
+namespace
+{
+void refuseSky(const Scene& scene, const char* method)
+{
+  if (scene.data().sky)
+    throw std::invalid_argument(std::string("method: ") + method +
+                                " knows no sky; expected compensated or another method");
+}
+}  // namespace
+
 std::unique_ptr<Estimator> makeEstimator(const Scene& scene, const Receivers& receivers, const Settings& settings)
 {
   switch (settings.method)
@@ -35,8 +46,10 @@ std::unique_ptr<Estimator> makeEstimator(const Scene& scene, const Receivers& re
     case Method::PhotonMap:
       return std::make_unique<PhotonMap>(scene, receivers, settings);
     case Method::Radiosity:
+      refuseSky(scene, "radiosity");
       return std::make_unique<Radiosity>(scene, receivers, settings);
     case Method::Bidirectional:
+      refuseSky(scene, "bidirectional");
       return std::make_unique<Bidirectional>(scene, receivers, settings);
     default:
       throw std::invalid_argument("method: does not exist");
