@@ -8,9 +8,12 @@ writes OUT/connections.csv and OUT/connections.png. Connection k joins a traject
 receiver: 1 is the local estimate, 2 the double one; `all` weighs all of them by the balance heuristic. Each dot is the
 squared error beside the truth times the processor time, over that of `all`: below one is cheaper than `all`.
 """
+from __future__ import annotations
+
 import csv
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -27,7 +30,7 @@ COLOURS = ("#0b5d8f", "#2f9fd0", "#7a3e9d", "#d1457b", "#8c6d31")
 HIGHEST = 1000.0  # of the chart; what costs more sits on the frame as a triangle
 
 
-def cost(failure, truth, connections):
+def cost(failure: Any, truth: Any, connections: int | None) -> float:
     """Mean squared relative error over the receivers times the processor time of a run."""
     own = {} if connections is None else {"connections": connections}
     runs = [kalos.illuminance(failure.surfaces, failure.luminaires, failure.points, failure.normal, method="bidirectional",
@@ -36,9 +39,9 @@ def cost(failure, truth, connections):
     return float(squares * np.mean([run.cpu_seconds for run in runs]))
 
 
-def measure():
+def measure() -> dict[str, list[float]]:
     """Cost of each number of connections over that of all, a row a scene."""
-    found = {}
+    found: dict[str, list[float]] = {}
     for name in SCENES:
         failure = FAILURES[name]()
         truth, _, _ = failure.truth()
@@ -47,14 +50,15 @@ def measure():
     return found
 
 
-def draw(path, found):
+def draw(path: Path, found: dict[str, list[float]]) -> None:
     figure = Figure(figsize=(8.2, 5.0), dpi=110)
     FigureCanvasAgg(figure)
     axes = figure.add_axes((0.09, 0.13, 0.56, 0.7))
     axes.axhline(1, color="0.4", linewidth=1, linestyle="--")
     axes.text(CONNECTIONS[-1] + 0.25, 1, "all connections", fontsize=9, color="0.35", va="center")
     ends = sorted((min(max(costs[-1], 0.05), HIGHEST), title) for title, costs in found.items())
-    places, step = {}, 0.42
+    places: dict[str, float] = {}
+    step = 0.42
     for value, title in ends:
         last = max(places.values(), default=-np.inf)
         y = max(np.log(value), last + step)
@@ -81,7 +85,7 @@ def draw(path, found):
     figure.savefig(path, metadata={"Software": None})
 
 
-def main(out):
+def main(out: str | Path) -> None:
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
     found = measure()

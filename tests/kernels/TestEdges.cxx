@@ -137,7 +137,9 @@ TEST(Edges, WhatIsBoundedIsTrusted)
     for (int j = 0; j < 20; ++j)
       add(r, {0.25 * i + 0.125, 0.25 * j + 0.125, 0.75}, {0, 0, 1});
   const Result result = solve(scene, r, settings(Method::Compensated, 2048));
-  const auto doubted = std::count(result.trusted.begin(), result.trusted.end(), 0);
+  int doubted = 0;
+  for (std::size_t i = 0; i < r.points.size(); ++i)
+    doubted += result.illuminance[i] > 0 && !result.trusted[i];  // 0: inside a box, where all vertices are hidden
   EXPECT_LE(doubted, 4) << "of " << r.points.size();
 }
 

@@ -57,8 +57,7 @@ constexpr char missed = static_cast<char>(GoalStatus::Missed), within = static_c
                below = static_cast<char>(GoalStatus::BelowFloor);
 }  // namespace
 
-// The half-width of replicates that alternate by s is t(0.95, 15) s / sqrt(15) = 2.1314 s / 3.87298 = 0.55034 s: of 1
-// lx and of the floor of 0.5 lx, which the two neighbours pool.
+// The half-width of replicates that alternate by s is t(0.95, 15) s / sqrt(15) = 2.1314 s / 3.87298 = 0.55034 s.
 TEST(Goal, IsRelativeOrAbsolute)
 {
   Settings s;
@@ -67,8 +66,7 @@ TEST(Goal, IsRelativeOrAbsolute)
   const Result half = judged(s, alternating(0.9));
   EXPECT_EQ(half.goal, (std::vector<char>{within, below, below}));
   EXPECT_EQ(half.errorFloor, 0.5);
-  EXPECT_NEAR(Goal(s, inARow(3), replicates).distance(alternating(0.9), 1), 0.55034 * 0.9 * std::sqrt((1 + 4) / 2.0),
-              1e-4);
+  EXPECT_NEAR(Goal(s, inARow(3), replicates).distance(alternating(0.9), 1), 0.55034 * 0.9 / 0.5, 1e-4);
   EXPECT_EQ(judged(s, alternating(1)).goal, (std::vector<char>{within, missed, below}));
   EXPECT_EQ(judged(s, alternating(2)).goal, (std::vector<char>{missed, missed, below}));
 }

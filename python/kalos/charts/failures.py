@@ -129,5 +129,6 @@ def empty_room():
                    [room], [luminaire((1.2, 1.5, 2.4), 3000)], line(along, lambda t: (t, 1.2, 0)), (0, 0, 1), along, "place on the floor", False)
 
 
-FAILURES = {"furnace-edge": furnace_edge, "dihedral": dihedral, "contact": contact, "keyhole": keyhole, "glossy-room": glossy,
-            "many-lamps": many_lamps, "caustic": caustic, "empty-room": empty_room}
+FAILURES: dict[str, Callable[[], Failure]] = {
+    "furnace-edge": furnace_edge, "dihedral": dihedral, "contact": contact, "keyhole": keyhole, "glossy-room": glossy,
+    "many-lamps": many_lamps, "caustic": caustic, "empty-room": empty_room}

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The families that methods and peers belong to, their colours, and one line each of what it is and who uses it."""
 from dataclasses import dataclass
+from typing import Any, Dict
 
 from kalos.peers import NAMES
 
@@ -40,16 +41,16 @@ FAMILIES = (
 )
 
 
-def family(name):
+def family(name: str) -> Family:
     """The family of a method or peer."""
     return next(one for one in FAMILIES if name in one.about)
 
 
-def about(name):
+def about(name: str) -> Any:
     return family(name).about[name]
 
 
-def style(name):
+def style(name: str) -> Dict[str, Any]:
     """Colour and line of a method or peer."""
     one = family(name)
     return {"color": one.colours[list(one.about).index(name)], "linestyle": one.linestyle}

@@ -126,7 +126,7 @@ def closed_forms(data, seed, say, factor=1.0, allowed=1e-3):
     say(f"CIE 171:2006, {METHOD}; mean of the absolute deviations from the closed form, and the largest")
     passed = True
     for case in CASES:
-        if not case.name.startswith("CIE"):
+        if not case.name.startswith("CIE") or case.sky:
             continue
         trajectories = int(factor * (2000000 if "obstruction" in case.name else 20000))
         deviations, errors = [], []

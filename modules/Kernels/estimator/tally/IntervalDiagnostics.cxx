@@ -26,7 +26,7 @@ double nearKernel(const Scene& scene, const Sensor& sensor)
 bool hiddenIsLittle(const PickCount& picks, double samples, const MeanAndError& estimate)
 {
   constexpr double enough = 16, little = 0.05;
-  if (picks.seen >= enough || !(picks.tried > 0) || estimate.mean == 0)
+  if (picks.seen >= enough || !(picks.tried > 0))
     return true;
   const double perPick = picks.possible / picks.tried / samples;
   return (3 + 1.7 * std::sqrt(picks.seen)) * perPick <=

@@ -16,7 +16,7 @@
 //      still matter: with `seen` < 16 of `tried` picks seen, as many as seen + 3 + 1.7 sqrt(seen) might be expected
 //      (Poisson, one-sided 95 %); the light that these would bring exceeds both two standard errors and a twentieth of
 //      the value. A room behind a small opening, or a dim one beside a bright one: all replicates agree about what they
-//      have missed. Where nothing at all arrived the receiver is dark, and quantities/DarkReceivers.h tells.
+//      have missed.
 #ifndef kalos_estimator_tally_IntervalDiagnostics_h
 #define kalos_estimator_tally_IntervalDiagnostics_h
 
