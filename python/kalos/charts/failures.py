@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, Optional
+from typing import Any, Callable, Optional, Tuple
 
 import numpy as np
 
@@ -34,7 +34,7 @@ class Failure:
     source: str = "closed form"
     judge: str = "compensated"  # estimates the truth where no closed form is known
 
-    def truth(self, seed=2**31 - 1):
+    def truth(self, seed: int = 2**31 - 1) -> Tuple[Any, Any, str]:
         """Values, their standard errors, and where they come from."""
         if self.known is not None:
             return self.known, np.zeros(len(self.known)), self.source
