@@ -21,6 +21,8 @@ PICTURES = {
     "parameter-study.png": ("{python} examples/parameter_study.py {out}", "sphere-published/study.png"),
     "mpi-hall.png": ("mpiexec -n 2 {python} examples/mpi_hall.py {out}", "mpi-hall.png"),
     "paraview-room.png": ("tests/with_screen pvpython examples/paraview_room.py {out}/room.png --plugin {plugin}", "room.png"),
+    "connections.png": ("{python} examples/connections.py {out}", "connections.png"),
+    "atlas-edge.png": ("{kalos} atlas --out {out}/atlas", "atlas/furnace-edge.png"),
     "chart.png": ("{python} examples/speed_accuracy.py {out}", "chart.png"),  # with the peers of KALOS_PEERS_PYTHON
 }
 NOTEBOOKS = ("wall", "spikes", "speed")

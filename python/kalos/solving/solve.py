@@ -173,8 +173,8 @@ def summarise(scene, options, receivers, images, outputs, everywhere=False):
     """The content of summary.json; with `everywhere` statistics count the receivers that are not valid, too."""
     labels = ["receivers"] * bool(receivers) + [f"camera {name}" for name in images]
     audit = text.joined_audit(dict(zip(labels, map(fields.audit, outputs))))
-    sets = {r.name: {**r.statistics(everywhere), "untrusted": int((~r.trusted).sum()), "trajectories": fields.trajectories(outputs[0]),
-                     **({} if r.goal is None else {"goal": goal(r.goal)})}
+    sets = {r.name: {**r.statistics(everywhere), "untrusted": int((~r.trusted & (r.valid | everywhere)).sum()),
+                     "trajectories": fields.trajectories(outputs[0]), **({} if r.goal is None else {"goal": goal(r.goal)})}
             for r in receivers}
     cameras = {name: {**image_statistics(image), "trajectories": fields.trajectories(image)}
                for name, image in images.items()}
