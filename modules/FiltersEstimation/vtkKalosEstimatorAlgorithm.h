@@ -230,8 +230,9 @@ public:
    * only where a surface is near), paths (no vertices where luminous surfaces are all around and paths from the
    * receivers alone win a trial), neighbours (gather rays of `gathered` light all receivers of a group), effort
    * (receivers that reached the goal are skipped), highlights (lamps in glossy planes sampled about their mirror
-   * images), exact-direct (area emitters in closed form). None adds bias; disable them to measure what they save.
-   * Default empty.
+   * images), exact-direct (area emitters in closed form), guiding (trajectories start at the luminaires that light the
+   * receivers, and are sent through small openings). None adds bias; disable them to measure what they save. Default
+   * empty.
    */
   vtkSetStringMacro(DisabledTechniques);
   vtkGetStringMacro(DisabledTechniques);

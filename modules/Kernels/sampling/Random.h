@@ -18,7 +18,8 @@ enum class Purpose : std::uint64_t
   Selection = 5,
   CameraRay = 6,
   Sky = 7,
-  Highlight = 8
+  Highlight = 8,
+  Portal = 9
 };
 
 /// A bijection of 64-bit words with full avalanche (Stafford's variant 13 of the MurmurHash3 finaliser).

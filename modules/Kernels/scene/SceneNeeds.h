@@ -7,6 +7,9 @@
 
 namespace kalos
 {
+/// Emitting triangles whose direct light at receivers has a closed form; of more, vertices at the starts score.
+constexpr std::uint32_t largestExact = 4096;
+
 struct SceneNeeds
 {
   /// No shadow ray is needed: every triangle lies on the boundary of the scene's convex hull, and all receivers and

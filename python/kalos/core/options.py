@@ -22,7 +22,8 @@ METHODS = {"compensated": 5, "gathered": 6, "local": 0, "sphere-published": 1, "
 OWN_OPTIONS = {"photons": ("photon-map",), "cone_filter": ("photon-map",), "final_gather": ("photon-map",)}
 
 # Names for vtkKalosIlluminance::DisabledTechniques; none adds bias.
-TECHNIQUES = ("stratified", "picked", "convex", "near", "paths", "neighbours", "effort", "highlights", "exact-direct")
+TECHNIQUES = ("stratified", "picked", "convex", "near", "paths", "neighbours", "effort", "highlights", "exact-direct",
+              "guiding")
 
 
 # Of the receivers, those that a goal for the error is asked of.

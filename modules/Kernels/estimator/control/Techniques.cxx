@@ -24,7 +24,8 @@ constexpr Name known[] = {{Technique::Stratified, "stratified"},
                           {Technique::Neighbours, "neighbours"},
                           {Technique::Effort, "effort"},
                           {Technique::Highlights, "highlights"},
-                          {Technique::ExactDirect, "exact-direct"}};
+                          {Technique::ExactDirect, "exact-direct"},
+                          {Technique::Guiding, "guiding"}};
 
 template <class Condition>
 std::string list(const char* separator, const Condition& condition)

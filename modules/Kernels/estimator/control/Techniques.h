@@ -12,6 +12,8 @@
 //                  disabled: by vertices and gather rays
 //   exact-direct   area emitters by Lambert's polygon formula, sampling only their visibility; disabled: all sampled,
 //                  and emitting meshes by the starts of trajectories
+//   guiding        trajectories start at the luminaires that light the receivers and are sent through small openings,
+//                  as are gather rays (estimator/tracing/EmissionPilot.h, Portals.h); disabled: in proportion to flux
 #ifndef kalos_estimator_control_Techniques_h
 #define kalos_estimator_control_Techniques_h
 
@@ -30,7 +32,8 @@ enum class Technique
   Neighbours,
   Effort,
   Highlights,
-  ExactDirect
+  ExactDirect,
+  Guiding
 };
 
 class TechniqueSet

@@ -85,9 +85,9 @@ void DirectLight::prepareView(const Sensor& sensor, View& view) const
   for (const LuminousArea& area : this->Areas)
   {
     const double factor = this->formFactor(area, sensor);
-    for (int b = 0; b < this->Scene_.bands() && !area.opening; ++b)
+    for (int b = 0; b < this->Scene_.bands() && !area.opening && area.isInClosedForm(); ++b)
       view.areas[b] += factor * area.exitance[b];
-    sum += factor * photometric(area.exitance, this->Scene_.bands());
+    sum += area.factor * factor * photometric(area.exitance, this->Scene_.bands());
     view.cumulative.push_back(sum);
   }
 }
@@ -105,7 +105,8 @@ std::size_t draw(const std::vector<double>& cumulative, double u, double& share)
 }
 }  // namespace
 
-double DirectLight::sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const
+double DirectLight::sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w,
+                                bool* inClosedForm) const
 {
   w = {};
   const double u0 = random.next(), u1 = random.next(), u2 = random.next(), u3 = random.next();
@@ -113,6 +114,8 @@ double DirectLight::sampleAreas(const Sensor& sensor, const View& view, SampleSt
     return 0;
   double share;
   const LuminousArea& area = this->Areas[draw(view.cumulative, u0, share)];
+  if (inClosedForm)
+    *inClosedForm = area.isInClosedForm();
   AreaSample sample;
   if (!(share > 0) || !area.sample(sensor, u1, u2, u3, sample))
     return 0;
@@ -120,7 +123,7 @@ double DirectLight::sampleAreas(const Sensor& sensor, const View& view, SampleSt
   for (int b = 0; b < this->Scene_.bands(); ++b)
     w[b] = exitance[b] / pi * dot(sample.direction, sensor.normal) * sample.solidAngle / share;
   const bool visible = !this->Shadows || !this->Scene_.rays().occluded(sensor.anchor, sample.target);
-  return visible - (area.opening ? 0 : view.visibleShare);
+  return visible - (area.opening || !area.isInClosedForm() ? 0 : view.visibleShare);
 }
 
 void DirectLight::weigh(const Sensor& sensor, LuminaireWeights& weights) const
@@ -141,6 +144,8 @@ void DirectLight::weigh(const Sensor& sensor, LuminaireWeights& weights) const
           this->formFactor(area, sensor) * area.exitance[0] + this->pointIlluminance(luminaires[i], sensor);
       weights.weight[i] = static_cast<float>(e);
     }
+  for (std::size_t i = 0; i < this->Factors.size(); ++i)
+    weights.weight[i] *= this->Factors[i];
   weights.sum();
 }
 

@@ -8,6 +8,7 @@
 #include "estimator/direct/LightSampler.h"
 #include "estimator/direct/LuminousArea.h"
 #include "estimator/direct/SkyLight.h"
+#include "estimator/tracing/Emission.h"
 #include "sampling/SampleStream.h"
 
 namespace kalos
@@ -28,6 +29,10 @@ public:
   /// `shadows` false: nothing can occlude. `openings`: where the sky shines in, or null.
   DirectLight(const Scene& scene, bool withMeshes, bool shadows, const SkyOpenings* openings = nullptr);
 
+  /// Draws emitters by what a pilot has found, too: their light times the emission's factor. Meshes and rectangles
+  /// whose factor is below 1 send the receivers little, and are wholly sampled.
+  void prefer(const Emission& emission);
+
   /// The emitters as seen from one receiver; reused for all its samples.
   struct View
   {
@@ -38,8 +43,10 @@ public:
   };
   void prepareView(const Sensor& sensor, View& view) const;
 
-  /// One sample of the area emitters: w (lx per band). Returns V - beta, or V for an opening, which U does not hold.
-  double sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w) const;
+  /// One sample of the area emitters: w (lx per band). Returns V - beta, or V where U does not hold the emitter: of an
+  /// opening, and where `*inClosedForm` becomes false.
+  double sampleAreas(const Sensor& sensor, const View& view, SampleStream& random, Bands& w,
+                     bool* inClosedForm = nullptr) const;
 
   /// One sample of all direct light at the sensor, weighted by its response, with a single shadow ray: an emitter is
   /// drawn about in proportion to its unshadowed light at a Lambertian sensor (LightSampler).
@@ -69,7 +76,12 @@ public:
 
   /// Whether samples add to what prepareView() finds: something may hide area emitters, or openings are near.
   bool hasOpenings() const { return this->HasOpenings; }
-  bool fluctuates() const { return this->HasOpenings || (this->Shadows && !this->Areas.empty()); }
+  /// Whether meshes or rectangles are wholly sampled, by prefer().
+  bool hasSampledAreas() const { return this->HasSampledAreas; }
+  bool fluctuates() const
+  {
+    return this->HasOpenings || this->HasSampledAreas || (this->Shadows && !this->Areas.empty());
+  }
 
   static constexpr std::size_t skyLight = ~std::size_t{0};  ///< in the place of a luminaire
 
@@ -91,11 +103,12 @@ private:
 
   const Scene& Scene_;
   bool Shadows;
-  bool HasOpenings = false;
+  bool HasOpenings = false, HasSampledAreas = false;
   std::vector<LuminousArea> Areas;
   std::vector<std::size_t> LuminaireOf, AreaOf;  // of an area that belongs to no mesh; of a luminaire, or noArea
   LightSampler Choice;
   SkyLight FromSky;
+  std::vector<float> Factors;  // of the luminaires, see prefer(); or empty
 };
 }  // namespace kalos
 

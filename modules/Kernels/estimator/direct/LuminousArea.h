@@ -25,6 +25,9 @@ struct LuminousArea
   Bands exitance;                      ///< lm/m2
   const Luminaire* opening = nullptr;  ///< of a measured distribution; null: Lambertian
   RayAnchor anchor;                    ///< of one of its points
+  double factor = 1;                   ///< of the emission (DirectLight::prefer())
+
+  bool isInClosedForm() const { return this->factor >= 1; }
 
   /// An opening that shines on both sides.
   bool isTwoSided() const { return this->opening && !this->opening->isOneSided(); }

@@ -15,7 +15,6 @@ constexpr std::size_t steadyAround = 2;         // receivers before and after th
 constexpr int mostPerSkySample = 8;             // trajectories per sample of the sky, which holds more than visibility
 constexpr int steadySaving = 8;                 // times fewer samples where the pilot found no partial shadow
 constexpr std::size_t largestViews = 1u << 24;  // unshadowed illuminances kept, receivers times emitters: 128 MB
-constexpr std::uint32_t largestExact = 4096;    // emitting triangles served by closed forms
 
 std::vector<Vec3> inScene(const Scene& scene, const std::vector<Vec3>& points)
 {
@@ -105,13 +104,17 @@ void ReceiverDirectLight::measureVisibility(std::size_t r)
   DirectLight::View& view = this->Views[r];
   view.visibleShare = 0;
   double visible = 0;
+  int drawn = 0;
   Bands w;
   for (int s = 0; s < pilotSamples; ++s)
   {
     SampleStream random = walks.stream(pilotReplicate, Purpose::DirectLight, s);
-    visible += this->direct().sampleAreas(this->Sensors[r], view, random, w);
+    bool inClosedForm = true;
+    const double seen = this->direct().sampleAreas(this->Sensors[r], view, random, w, &inClosedForm);
+    visible += inClosedForm ? seen : 0;
+    drawn += inClosedForm;
   }
-  view.visibleShare = visible / pilotSamples;
+  view.visibleShare = visible / std::max(1, drawn);
 }
 
 double ReceiverDirectLight::illuminance(std::size_t r) const
@@ -124,7 +127,7 @@ double ReceiverDirectLight::illuminance(std::size_t r) const
 
 bool ReceiverDirectLight::isSteady(std::size_t r) const
 {
-  if (this->Sampled || this->direct().hasOpenings())
+  if (this->Sampled || this->direct().hasOpenings() || this->direct().hasSampledAreas())
     return false;
   const double share = this->Views[r].visibleShare;
   const std::size_t end = std::min(this->Views.size(), r + steadyAround + 1);

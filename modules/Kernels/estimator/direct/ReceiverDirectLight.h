@@ -25,6 +25,13 @@ public:
   ReceiverDirectLight(const Scene& scene, const Receivers& receivers, const Settings& settings, bool withHighlights,
                       int trajectoriesPerSample = 4);
 
+  /// Call before prepare(): see DirectLight.
+  void prefer(const Emission& emission)
+  {
+    this->Exact.prefer(emission);
+    this->Luminaires.prefer(emission);
+  }
+
   const std::vector<Sensor>& sensors() const { return this->Sensors; }
   bool shadows() const { return !this->Needs.unoccluded; }
 

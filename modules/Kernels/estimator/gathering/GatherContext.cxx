@@ -13,6 +13,7 @@ constexpr int keptForBalance = 16;  // without vertices, one of so many trajecto
 GatherContext::GatherContext(const Scene& scene, const Emission& emission, const Settings& settings, bool shadows)
     : Scene_(scene),
       Source(emission),
+      Through(emission.portals()),
       Density(scene, emission, settings.walks()),
       Shadows(shadows),
       EveryPair(!settings.uses(Technique::Picked)),
@@ -20,6 +21,7 @@ GatherContext::GatherContext(const Scene& scene, const Emission& emission, const
       Mirrored(scene),
       Lobes(scene, settings.uses(Technique::Highlights), shadows)
 {
+  this->Luminaires.prefer(emission);
 }
 
 std::vector<LightVertices> GatherContext::trace(const Emission& emission, const Walks& walks, int replicates,
@@ -35,6 +37,16 @@ std::vector<LightVertices> GatherContext::trace(const Emission& emission, const 
   if (!workers.forEach(pools.size(), [&](std::size_t p) { this->Density.annotate(pools[p]); }))
     pools.clear();
   return pools;
+}
+
+double GatherContext::aim(Portals::Mask portals, const Sensor& sensor, SampleStream& random, Vec3& direction,
+                          double& cosine) const
+{
+  const double u0 = random.next(), u1 = random.next(), u2 = random.next();
+  double density;
+  direction = this->Through.gather(portals, sensor.position, sensor.normal, {u0, u1, u2}, density);
+  cosine = std::max(0.0, dot(direction, sensor.normal)) / pi;
+  return cosine > 0 ? cosine / density : 0;
 }
 
 double GatherContext::blockShare(int trajectories, int blockSize) const

@@ -27,6 +27,14 @@ public:
 
   const Scene& scene() const { return this->Scene_; }
   const VertexDensity& pilot() const { return this->Density; }
+  const Portals& portals() const { return this->Through; }
+  /// Those that gather rays of the sensor are aimed at; its vertices leave all light that arrives through them.
+  Portals::Mask portalsOf(const Sensor& sensor) const
+  {
+    return this->Shadows && !this->PathsOnly && !sensor.brdf
+               ? this->Through.forGatherRays(sensor.position, sensor.normal)
+               : Portals::Mask{0};
+  }
   const DirectLight& luminaires() const { return this->Luminaires; }
   const MirrorImages& mirrored() const { return this->Mirrored; }
   const Highlights& highlights() const { return this->Lobes; }
@@ -34,6 +42,10 @@ public:
   /// Whether one vertex of a block is picked for the shadow ray, instead of all.
   bool picksVertices() const { return this->Shadows && !this->EveryPair; }
   bool shadowsEveryPair() const { return this->EveryPair; }
+
+  /// Draws a direction for a gather ray of such a sensor, with the cosine's density per sr. Returns what it weighs
+  /// against a cosine-weighted ray; 0 for none.
+  double aim(Portals::Mask portals, const Sensor& sensor, SampleStream& random, Vec3& direction, double& cosine) const;
 
   /// Turns vertices off: longer paths find all light (estimator/methods/StrategyTrial.h). With `nextEvents` the starts
   /// of trajectories on emitting meshes still score where paths go: next event estimation.
@@ -76,6 +88,7 @@ public:
 private:
   const Scene& Scene_;
   const Emission& Source;
+  const Portals& Through;
   VertexDensity Density;
   bool Shadows, EveryPair, PathsOnly = false, Starts = true;
   DirectLight Luminaires;

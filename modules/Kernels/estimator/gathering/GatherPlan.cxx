@@ -73,6 +73,14 @@ GatherRound GatherPlan::round(const GatherPool& pool, int replicate, long long r
   return {pool, replicate, raysDone, rays, cellShare(rays, active), seed};
 }
 
+void GatherPlan::separate(const GatherContext& gathering)
+{
+  if (!gathering.portals().any())
+    return;
+  for (const Sensor& sensor : this->Sensors)
+    this->Separate.push_back(gathering.portalsOf(sensor));
+}
+
 std::vector<std::size_t> GatherPlan::activeIn(std::size_t tile, const Tally& tally, bool shares) const
 {
   std::vector<std::size_t> found;
@@ -80,7 +88,8 @@ std::vector<std::size_t> GatherPlan::activeIn(std::size_t tile, const Tally& tal
   {
     const std::size_t r = this->Order[i];
     const Sensor& sensor = this->Sensors[r];
-    if (!tally.converged(r) && shares == !(sensor.brdf || sensor.anchor.crowded))
+    const bool alone = sensor.brdf || sensor.anchor.crowded || (!this->Separate.empty() && this->Separate[r]);
+    if (!tally.converged(r) && shares != alone)
       found.push_back(r);
   }
   return found;

@@ -32,6 +32,9 @@ public:
   /// (in a white furnace a thirtieth, to the same error).
   void leaveToPaths() { this->PathsOnly = true; }
 
+  /// Receivers that aim gather rays at portals gather by themselves.
+  void separate(const GatherContext& gathering);
+
   /// Whether receivers share the hits of their neighbours' rays. Not where luminous surfaces are all around, nor where
   /// most surfaces are glossy: their luminance depends on the viewer.
   bool sharesRays() const { return !this->PathsOnly && !this->OwnRays && this->MostlyDiffuse; }
@@ -50,7 +53,7 @@ public:
   std::vector<ReceiverGroup> groups(std::size_t tile, const Tally& tally) const;
 
   /// The receivers of a tile that have not converged and cannot use the hits of their neighbours' rays: glossy ones,
-  /// and those with another surface too near for single precision.
+  /// those with another surface too near for single precision, and those of separate().
   std::vector<std::size_t> loners(std::size_t tile, const Tally& tally) const;
 
   /// Gather rays of each receiver of a group, given those of a receiver in a whole group: a smaller group sends as many
@@ -68,6 +71,7 @@ private:
   const std::vector<Sensor>& Sensors;
   std::uint64_t Seed;
   bool OwnRays, MostlyDiffuse, PathsOnly = false;
+  std::vector<bool> Separate;      // by receiver, or empty
   std::vector<std::size_t> Order;  // receivers, so that those beside each other follow each other
 };
 }  // namespace kalos

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "estimator/kernel/VertexResampling.h"
 #include "sampling/Warp.h"
 
 namespace kalos
@@ -23,15 +22,7 @@ constexpr double keptPathsOnly = 20;
 
 std::size_t WavefrontGather::add(const Sensor& sensor, const Start& start, const SampleStream& random, bool first)
 {
-  this->Paths.push_back({sensor,
-                         random,
-                         uniformBands(1),
-                         start.share,
-                         start.share,
-                         start.seesEmission,
-                         start.doublePrecision,
-                         first,
-                         {}});
+  this->Paths.emplace_back(sensor, start, random, first, this->Rays.portalsOf(sensor));
   this->Found.resize(2 * this->Count * this->Paths.size(), 0);
   this->Picked.emplace_back();
   return this->Paths.size() - 1;
@@ -104,6 +95,8 @@ void WavefrontGather::clear()
 bool WavefrontGather::draw(PathState& path) const
 {
   const Sensor& sensor = path.at;
+  if (path.portals)
+    return path.aim(this->Rays.aim(path.portals, sensor, path.random, path.sampled.direction, path.sampled.density));
   const double u1 = path.random.next(), u2 = path.random.next();
   if (!sensor.brdf)
   {
@@ -140,11 +133,12 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
     return false;
   const Vec3 d = y.position - path.at.position;
   const double squared = dot(d, d);
-  const bool whole = sampled.mirror || std::isinf(path.share);                          // no vertex scores there
+  const bool crosses = path.portals && this->Rays.portals().cross(path.portals, path.at.position, y.position);
+  const bool whole = sampled.mirror || crosses || std::isinf(path.share);               // no vertex scores there
   const double kernel = sampled.density * -dot(sampled.direction, y.normal) / squared;  // G, for a Lambertian sensor
   const double ratio =
       whole ? std::numeric_limits<double>::infinity() : kernel * path.share / this->Rays.pilot().density(y.position);
-  this->addEmission(i, y, kernel);
+  this->addEmission(i, y, kernel, crosses);
 
   // The hit becomes the next sensor: for illuminance, or for its response towards the previous one.
   Sensor next(scene.anchor(y));
@@ -166,6 +160,7 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
   next.anchor.crowded = crowds(path.at.anchor, squared);
   path.doublePrecision = !isFarFrom(next.anchor, squared);
   path.at = next;
+  path.portals = this->Rays.portalsOf(next);
   this->addLuminaires(i, ratio);
   this->addHighlights(i, rayHighlights);
   this->addVertices(i, rayBlock);
@@ -181,7 +176,7 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
   return true;
 }
 
-void WavefrontGather::addEmission(std::size_t i, const SurfacePoint& y, double kernel)
+void WavefrontGather::addEmission(std::size_t i, const SurfacePoint& y, double kernel, bool crosses)
 {
   // The exitance, less the part scored by trajectory starts on meshes.
   const Scene& scene = this->Rays.scene();
@@ -189,9 +184,9 @@ void WavefrontGather::addEmission(std::size_t i, const SurfacePoint& y, double k
   const Material& material = scene.material(y.triangle);
   if (!y.front || !(path.sampled.mirror || path.seesEmission) || !(photometric(material.exitance, scene.bands()) > 0))
     return;
-  const bool whole = path.sampled.mirror || std::isinf(path.startShare);  // no start scores there
+  const bool whole = path.sampled.mirror || crosses || std::isinf(path.startShare);  // no start scores there
   const double gathered =
-      whole ? 1 : gatheredShare(kernel * path.startShare / this->Rays.pilot().startDensity(material));
+      whole ? 1 : gatheredShare(kernel * path.startShare / this->Rays.pilot().startDensity(y.triangle));
   for (int b = 0; b < scene.bands(); ++b)
   {
     const double e = path.throughput[b] * gathered * material.exitance[b];
@@ -205,7 +200,7 @@ bool WavefrontGather::survives(PathState& path) const
 {
   const int bands = this->Rays.scene().bands();
   const double factor = !this->Rays.pathsOnly() ? kept : this->Rays.usesStarts() ? keptNextEvents : keptPathsOnly;
-  const double survival = std::min(1.0, factor * photometric(path.throughput, bands));
+  const double survival = std::min(1.0, factor * photometric(path.throughput, bands) / path.aimed);
   if (path.random.next() >= survival)
     return false;
   for (int b = 0; b < bands; ++b)
@@ -238,56 +233,6 @@ void WavefrontGather::addHighlights(std::size_t i, double probability)
   for (std::size_t b = 0; b < this->Count; ++b)
     light[b] /= probability;
   this->addWeighted(i, light);
-}
-
-void WavefrontGather::addVertices(std::size_t i, int blockSize, bool counted)
-{
-  const LightVertices& pool = *this->Pool.vertices;
-  const int trajectories = this->Pool.trajectories;
-  if (!this->Rays.pathsOnly())
-    for (const VertexSet* set : {&pool.reflected, &pool.glossy})
-      this->addBlock(i, *set, blockSize, this->Rays.blockShare(trajectories, blockSize), counted);
-  if (this->Rays.usesStarts())
-    this->addBlock(i, pool.emitted, blockSize, this->Rays.startShare(trajectories, blockSize), counted);
-}
-
-void WavefrontGather::addBlock(std::size_t i, const VertexSet& set, int blockSize, double share, bool counted)
-{
-  if (set.size() == 0)
-    return;
-  static_assert(rayBlock <= VertexTile::capacity && cellBlock <= VertexTile::capacity, "a block is scored as one tile");
-  // A run of vertices from a random start, wrapped at the end, so that each vertex has the same probability.
-  const std::size_t size = std::min<std::size_t>(blockSize, set.size());
-  const auto begin = static_cast<std::size_t>(this->Paths[i].random.next() * static_cast<double>(set.size()));
-  const std::size_t straight = std::min(size, set.size() - begin);
-  const double weight = static_cast<double>(set.size()) / static_cast<double>(size) / this->Pool.trajectories;
-  this->addRun(i, set, begin, straight, share, weight, counted);
-  if (straight < size)
-    this->addRun(i, set, 0, size - straight, share, weight, counted);
-}
-
-void WavefrontGather::addRun(std::size_t i, const VertexSet& set, std::size_t begin, std::size_t count, double share,
-                             double weight, bool counted)
-{
-  PathState& path = this->Paths[i];
-  const double u = path.random.next();
-  ResampledScore pick;
-  const bool picks = this->Rays.picksVertices();
-  if (!picks)
-  {
-    // Every pair has a shadow ray of its own, or none can be hidden.
-    pick.light = {};
-    const ShadowPicks all{this->Rays.shadows() ? &this->Rays.scene().rays() : nullptr, 0, u};
-    addResampledScores(set, begin, static_cast<int>(count), path.at, share, all, pick.light.data());
-  }
-  else if (!resampleOne(set, begin, static_cast<int>(count), path.at, share, u, pick))
-    return;
-  for (std::size_t b = 0; b < this->Count; ++b)
-    pick.light[b] *= weight;
-  if (picks)
-    this->addIfSeen(i, pick.target, pick.light, counted);
-  else
-    this->addWeighted(i, pick.light);
 }
 
 void WavefrontGather::addWeighted(std::size_t i, const Bands& light)

@@ -81,12 +81,37 @@ private:
     Bands throughput;
     double share, startShare;  // as in Start; beside starts on emitting meshes
     bool seesEmission, doublePrecision, first;
-    DirectionSample sampled;
+    Portals::Mask portals;  // that its rays are aimed at, and whose light no vertex scores
+    double aimed = 1;       // part of the throughput that aiming at portals makes small
+    DirectionSample sampled{};
+
+    PathState(const Sensor& sensor, const Start& start, const SampleStream& numbers, bool isFirst, Portals::Mask mask)
+        : at(sensor),
+          random(numbers),
+          throughput(uniformBands(1)),
+          share(start.share),
+          startShare(start.share),
+          seesEmission(start.seesEmission),
+          doublePrecision(start.doublePrecision),
+          first(isFirst),
+          portals(mask)
+    {
+    }
+
+    // Weighs a direction that was aimed at a portal; false for none.
+    bool aim(double weight)
+    {
+      this->sampled.mirror = false;
+      this->aimed *= weight;
+      for (double& of : this->throughput)
+        of *= weight;
+      return weight > 0;
+    }
   };
   std::size_t add(const Sensor& sensor, const Start& start, const SampleStream& random, bool first);
   bool draw(PathState& path) const;
   bool advance(std::size_t i, const SurfacePoint& y);
-  void addEmission(std::size_t i, const SurfacePoint& y, double kernel);
+  void addEmission(std::size_t i, const SurfacePoint& y, double kernel, bool crosses);
   bool survives(PathState& path) const;
   // `ratio`: G/G* of the segment that led to the sensor.
   void addLuminaires(std::size_t i, double ratio);

@@ -61,10 +61,14 @@ Picks pickSystematically(const TileScores& scores, double total, const ShadowPic
 }
 
 // Bit k is set when the k-th of these vertices is hidden from the sensor.
-std::uint64_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sensor& sensor, const int* indices,
+std::uint64_t hiddenVertices(const ShadowPicks& shadows, const VertexSet& v, const Sensor& sensor, const int* indices,
                              int count)
 {
+  const RayScene& rays = *shadows.rays;
   std::uint64_t hidden = 0;
+  for (int k = 0; k < count && shadows.excluded; ++k)
+    if (shadows.excludes(sensor, v.position(static_cast<std::size_t>(indices[k]))))
+      hidden |= std::uint64_t{1} << k;
   if (count == 1 || sensor.doublePrecision)
   {
     for (int k = 0; k < count; ++k)
@@ -118,6 +122,9 @@ void scorePairs(const VertexSet& v, const PairBlock& block, float* luminous, Til
 double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block, const ShadowPicks& shadows,
                       double* sum)
 {
+  for (int i = 0; i < block.count && shadows.excluded; ++i)
+    if (shadows.excludes(sensor, v.position(static_cast<std::size_t>(block.index[i]))))
+      block.kernel[i] = 0;
   if (!shadows.rays || shadows.picks == 0 || block.count <= shadows.picks)
   {
     if (shadows.rays)
@@ -135,7 +142,7 @@ double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block
   int vertices[ShadowPicks::mostPicks];
   for (int k = 0; k < picks.count; ++k)
     vertices[k] = block.index[picks.index[k]];
-  const std::uint64_t hidden = hiddenVertices(*shadows.rays, v, sensor, vertices, picks.count);
+  const std::uint64_t hidden = hiddenVertices(shadows, v, sensor, vertices, picks.count);
   countPicks(picks, hidden, total, shadows);
   for (int k = 0; k < picks.count; ++k)
   {
@@ -235,7 +242,7 @@ double addResampledScores(const VertexSet& v, std::size_t begin, int count, cons
   int vertices[ShadowPicks::mostPicks];
   for (int k = 0; k < picks.count; ++k)
     vertices[k] = static_cast<int>(begin) + picks.index[k];
-  const std::uint64_t hidden = hiddenVertices(*shadows.rays, v, sensor, vertices, picks.count);
+  const std::uint64_t hidden = hiddenVertices(shadows, v, sensor, vertices, picks.count);
   countPicks(picks, hidden, total, shadows);
   for (int k = 0; k < picks.count; ++k)
   {

@@ -7,6 +7,7 @@
 
 #include "estimator/kernel/PairKernel.h"
 #include "estimator/kernel/PickCount.h"
+#include "estimator/tracing/Portals.h"
 
 namespace kalos
 {
@@ -21,6 +22,13 @@ struct ShadowPicks
   int picks;
   double u;
   PickCount* counted = nullptr;
+  const Portals* portals = nullptr;  ///< pairs that pass one of `excluded` do not score: gather rays find that light
+  Portals::Mask excluded = 0;
+
+  bool excludes(const Sensor& sensor, const Vec3& vertex) const
+  {
+    return this->excluded && this->portals->cross(this->excluded, sensor.position, vertex);
+  }
 };
 
 /// An unbiased estimate of formPairs(), keepVisible() and addScores() together, for a tile of count <=

@@ -69,6 +69,7 @@ public:
   AuditLine audit(int replicates, const std::vector<double>& edgeDistances) const;
 
 private:
+  double litArea() const;   // m2, of the surfaces that trajectories reach
   double rayShare() const;  // gather rays per trajectory, of a sensor that gathers
   bool needsRays(const Sensor& sensor) const;
   int rays(std::size_t r, const Round& round) const { return this->Gathers[r] ? round.rays : 0; }

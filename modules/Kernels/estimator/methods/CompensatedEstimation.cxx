@@ -11,11 +11,12 @@ namespace kalos
 CompensatedEstimation::CompensatedEstimation(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Scene_(scene),
       Settings_(settings),
-      Source(scene, settings.openings),
+      Source(makeEmission(scene, receivers, settings)),
       Direct(scene, receivers, settings, true),
       Light(scene, this->Source, settings, this->Direct.shadows(), receivers.points.size()),
       EdgeDistances(receivers.edgeDistances)
 {
+  this->Direct.prefer(this->Source);
 }
 
 bool CompensatedEstimation::prepare(Workers& workers, Tally& tally)
@@ -68,6 +69,7 @@ std::vector<double> CompensatedEstimation::gatherRays() const
 std::vector<AuditLine> CompensatedEstimation::audit() const
 {
   std::vector<AuditLine> lines = this->Direct.audit();
+  addEmissionAudit(this->Source, lines);
   lines.push_back({"kernel", "compensated", "bounded and unbiased; more gather rays where surfaces are near"});
   if (this->Light.gathering().pathsOnly())
     lines.push_back(auditPaths());

@@ -21,6 +21,7 @@
 #include "estimator/direct/ReceiverDirectLight.h"
 #include "estimator/methods/BiasCompensation.h"
 #include "estimator/methods/Estimator.h"
+#include "estimator/tracing/EmissionPilot.h"
 
 namespace kalos
 {

@@ -18,7 +18,7 @@ constexpr int phases = 4;                  // of a round
 FinalGathering::FinalGathering(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Scene_(scene),
       Settings_(settings),
-      Source(scene, settings.openings),
+      Source(makeEmission(scene, receivers, settings)),
       Direct(scene, receivers, settings, true, trajectoriesPerSample),
       Rays(scene, this->Source, settings, this->Direct.shadows()),
       Plan(scene, this->Direct.sensors(), settings),
@@ -26,6 +26,8 @@ FinalGathering::FinalGathering(const Scene& scene, const Receivers& receivers, c
       Spots(this->Rays),
       Accumulation(this->Rays, this->Direct, this->Plan, this->Spots)
 {
+  this->Direct.prefer(this->Source);
+  this->Plan.separate(this->Rays);
 }
 
 bool FinalGathering::prepare(Workers& workers, Tally& tally)
@@ -161,6 +163,7 @@ void FinalGathering::persist(Archive& archive)
 std::vector<AuditLine> FinalGathering::audit() const
 {
   std::vector<AuditLine> lines = this->Direct.audit();
+  addEmissionAudit(this->Source, lines);
   if (this->Direct.complete() || this->Check.empty())
     return lines;
   lines.push_back({"kernel", "gathered", "fast, with a bias that falls with the width of its cells"});

@@ -18,6 +18,7 @@
 
 #include "estimator/gathering/HitAccumulation.h"
 #include "estimator/methods/Estimator.h"
+#include "estimator/tracing/EmissionPilot.h"
 
 namespace kalos
 {

@@ -22,12 +22,13 @@ double plannedTrajectories(const Settings& settings)
 LocalEstimation::LocalEstimation(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Scene_(scene),
       Settings_(settings),
-      Source(scene, settings.openings),
+      Source(makeEmission(scene, receivers, settings)),
       Direct(scene, receivers, settings, false),
       CollisionsPerArea(VertexDensity(scene, this->Source, settings.walks()).typical()),
       Alteration(
           makeRegularization(scene, receivers, settings, this->CollisionsPerArea * plannedTrajectories(settings)))
 {
+  this->Direct.prefer(this->Source);
 }
 
 bool LocalEstimation::prepare(Workers& workers, Tally& tally)
@@ -139,6 +140,7 @@ bool LocalEstimation::trusts(std::size_t receiver, long long trajectories) const
 std::vector<AuditLine> LocalEstimation::audit() const
 {
   std::vector<AuditLine> lines = this->Direct.audit();
+  addEmissionAudit(this->Source, lines);
   lines.push_back({"kernel", this->Alteration ? this->Alteration->describe() : "plain",
                    this->Alteration ? "biased near edges; KernelCorrection says by how much it was altered"
                                     : "unbiased, but without bound at concave edges and contacts"});

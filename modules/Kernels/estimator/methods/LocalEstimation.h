@@ -20,6 +20,7 @@
 #include "estimator/kernel/KernelRegularization.h"
 #include "estimator/kernel/PairKernel.h"
 #include "estimator/methods/Estimator.h"
+#include "estimator/tracing/EmissionPilot.h"
 #include "estimator/tracing/Trajectories.h"
 
 namespace kalos

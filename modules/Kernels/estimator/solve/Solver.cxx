@@ -199,8 +199,8 @@ void Solve::finish()
   result.cpuSeconds = run.ranks.sum(result.cpuSeconds);
   result.rays = static_cast<decltype(result.rays)>(run.ranks.sum(static_cast<double>(result.rays)));
   result.audit = auditMaterials(run.scene);
-  for (const std::vector<AuditLine>& lines :
-       {auditDaylight(run.scene, run.openings), run.estimator->audit(), run.tally.auditEnergy(), auditOverlaps(run.scene)})
+  for (const std::vector<AuditLine>& lines : {auditDaylight(run.scene, run.openings), run.estimator->audit(),
+                                              run.tally.auditEnergy(), auditOverlaps(run.scene)})
     result.audit.insert(result.audit.end(), lines.begin(), lines.end());
   if (!result.goal.empty())
     result.audit.push_back(auditGoal(run.settings, result, run.schedule.goal().distance(run.tally, run.done) <= 1));

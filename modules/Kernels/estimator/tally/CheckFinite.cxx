@@ -6,6 +6,7 @@
 #include "estimator/control/Receivers.h"
 #include "estimator/control/Settings.h"
 
+#include "estimator/tracing/EmissionPilot.h"
 #include "estimator/tracing/Trajectories.h"
 
 namespace kalos
@@ -30,9 +31,10 @@ std::string faultIn(const VertexSet& set, const Vec3& origin)
   return {};
 }
 
-std::string culprit(const Scene& scene, const Settings& settings, int replicate, long long first, int count)
+std::string culprit(const Scene& scene, const Receivers& receivers, const Settings& settings, int replicate,
+                    long long first, int count)
 {
-  const Emission emission(scene, settings.openings);
+  const Emission emission = makeEmission(scene, receivers, settings);
   for (long long i = first; emission.totalFlux() > 0 && i < first + count; ++i)
   {
     const LightVertices pool = traceTrajectories(scene, emission, settings.walks(), replicate, i, 1);
@@ -56,6 +58,7 @@ void checkFinite(const Tally& tally, const Scene& scene, const Receivers& receiv
       if (!tally.sound(r, p))
         throw std::runtime_error(
             "receiver " + std::to_string(r) + " at " + place(receivers.points[r]) + ": a score of replicate " +
-            std::to_string(p) + " is infinite, negative or not a number: " + culprit(scene, settings, p, first, count));
+            std::to_string(p) +
+            " is infinite, negative or not a number: " + culprit(scene, receivers, settings, p, first, count));
 }
 }  // namespace kalos

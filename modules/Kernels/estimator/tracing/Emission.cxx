@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/tracing/Emission.h"
 
+#include <algorithm>
+
 #include "geometry/Polygon.h"
 #include "sampling/Warp.h"
 
@@ -8,28 +10,43 @@ namespace kalos
 {
 Emission::Emission(const Scene& scene, const SkyOpenings* openings) : Scene_(scene), FromSky(scene, openings)
 {
-  auto add = [this](double flux) { this->Cumulative.push_back(this->TotalFlux += flux); };
-  for (const Luminaire& luminaire : scene.data().luminaires)
-    add(luminaire.flux);
   const auto count = static_cast<std::uint32_t>(scene.data().triangles.size());
   for (std::uint32_t t = 0; t < count; ++t)
-  {
-    const double exitance = photometric(scene.material(t).exitance, scene.bands());
-    if (!(exitance > 0))
-      continue;
-    for (const std::array<Vec3, 3>& part : scene.luminousParts(t))
-    {
-      this->Parts.push_back({t, part});
-      add(exitance * 0.5 * length(cross(part[1] - part[0], part[2] - part[0])));
-    }
-  }
-  if (this->FromSky.flux() > 0)
-    add(this->FromSky.flux());
+    if (photometric(scene.material(t).exitance, scene.bands()) > 0)
+      for (const std::array<Vec3, 3>& part : scene.luminousParts(t))
+        this->Parts.push_back({t, part});
+  this->Cumulative.resize(this->luminaires() + this->Parts.size() + (this->FromSky.flux() > 0 ? 1 : 0));
+  this->sum();
+  this->TotalFlux = this->TotalWeight;
+}
+
+void Emission::prefer(Preference preference)
+{
+  this->Preferred = std::move(preference);
+  this->sum();
+}
+
+void Emission::sum()
+{
+  this->TotalWeight = 0;
+  for (std::size_t i = 0; i < this->Cumulative.size(); ++i)
+    this->Cumulative[i] = this->TotalWeight += this->flux(i) * this->factor(i);
+}
+
+double Emission::flux(std::size_t i) const
+{
+  if (i < this->luminaires())
+    return this->Scene_.data().luminaires[i].flux;
+  if (i >= this->luminaires() + this->Parts.size())
+    return this->FromSky.flux();
+  const auto& [t, part] = this->Parts[i - this->luminaires()];
+  return photometric(this->Scene_.material(t).exitance, this->Scene_.bands()) * 0.5 *
+         length(cross(part[1] - part[0], part[2] - part[0]));
 }
 
 double Emission::probability(std::size_t i) const
 {
-  return (this->Cumulative[i] - (i ? this->Cumulative[i - 1] : 0)) / this->TotalFlux;
+  return this->TotalWeight > 0 ? this->flux(i) * this->factor(i) / this->TotalWeight : 0;
 }
 
 double Emission::firstHitDensity(std::size_t i, const Vec3& p, const Vec3& n) const
@@ -54,19 +71,50 @@ double Emission::firstHitDensity(std::size_t i, const Vec3& p, const Vec3& n) co
   return this->probability(i) * share;
 }
 
+double Emission::startDensity(std::uint32_t t) const
+{
+  if (!(this->TotalWeight > 0))
+    return 0;
+  const double exitance = photometric(this->Scene_.material(t).exitance, this->Scene_.bands());
+  if (!this->isGuided() || !(exitance > 0))
+    return exitance / this->TotalWeight;
+  const auto found =
+      std::lower_bound(this->Parts.begin(), this->Parts.end(), t,
+                       [](const Part& part, std::uint32_t triangle) { return part.triangle < triangle; });
+  return exitance * this->factor(this->luminaires() + static_cast<std::size_t>(found - this->Parts.begin())) /
+         this->TotalWeight;
+}
+
+Portals::Mask Emission::portalsFor(const EmissionSample& start) const
+{
+  if (start.fromSky)
+    return 0;
+  return start.onSurface ? this->Through.forTrajectories(start.anchor.point, start.anchor.normal)
+                         : this->Through.forLuminaire(start.emitter);
+}
+
+double Emission::directionDensity(const EmissionSample& start, const Vec3& direction) const
+{
+  if (start.onSurface)
+    return std::max(0.0, dot(start.anchor.normal, direction)) / pi;
+  const Luminaire& luminaire = this->Scene_.data().luminaires[start.emitter];
+  return intensity(luminaire, direction) / luminaire.flux;
+}
+
 EmissionSample Emission::sample(SampleStream& random) const
 {
-  const double target = random.next() * this->TotalFlux;
+  const double target = random.next() * this->TotalWeight;
   const auto found = std::upper_bound(this->Cumulative.begin(), this->Cumulative.end(), target);
   const auto i = std::min<std::size_t>(found - this->Cumulative.begin(), this->Cumulative.size() - 1);
   // Reuse the remainder of the choice as a uniform number, so that emitter, point and direction use one Sobol' block.
   const double before = i ? this->Cumulative[i - 1] : 0;
   const double u = std::min((target - before) / (this->Cumulative[i] - before), 0x1.fffffffffffffp-1);
-  const std::size_t luminaires = this->Scene_.data().luminaires.size();
-  if (i >= luminaires + this->Parts.size())
+  if (i >= this->luminaires() + this->Parts.size())
     return this->fromSky(u, random);
-  return i < luminaires ? this->fromLuminaire(i, u, random)
-                        : this->fromTriangle(this->Parts[i - luminaires], u, random);
+  EmissionSample start = i < this->luminaires() ? this->fromLuminaire(i, u, random) : this->fromTriangle(i, u, random);
+  if (this->isGuided())
+    start.stratum = this->Preferred.strata[i];
+  return start;
 }
 
 EmissionSample Emission::fromSky(double u, SampleStream& random) const
@@ -77,7 +125,7 @@ EmissionSample Emission::fromSky(double u, SampleStream& random) const
   start.fromSky = true;
   start.anchor = line.start;
   start.direction = line.direction;
-  start.weight = uniformBands(line.weight * this->TotalFlux / this->FromSky.flux());
+  start.weight = uniformBands(line.weight * this->TotalWeight / this->FromSky.flux());
   return start;
 }
 
@@ -88,7 +136,7 @@ EmissionSample Emission::fromLuminaire(std::size_t i, double u, SampleStream& ra
   start.emitter = i;
   start.fromPoint = luminaire.isPoint();
   start.anchor = this->Scene_.luminaireAnchor(i);  // a lamp mounted flush with a ceiling shines into the room
-  start.weight = uniformBands(this->TotalFlux);
+  start.weight = uniformBands(this->TotalWeight / this->factor(i));
   double u1 = u;
   if (!luminaire.isPoint())
   {
@@ -100,11 +148,11 @@ EmissionSample Emission::fromLuminaire(std::size_t i, double u, SampleStream& ra
   return start;
 }
 
-EmissionSample Emission::fromTriangle(const Part& part, double u, SampleStream& random) const
+EmissionSample Emission::fromTriangle(std::size_t i, double u, SampleStream& random) const
 {
   double b1, b2;
   uniformTriangle(u, random.next(), b1, b2);
-  const auto& [t, corners] = part;
+  const auto& [t, corners] = this->Parts[i - this->luminaires()];
   const Vec3& a = corners[0];
   EmissionSample start;
   start.onSurface = true;
@@ -114,7 +162,7 @@ EmissionSample Emission::fromTriangle(const Part& part, double u, SampleStream& 
   const double v1 = random.next(), v2 = random.next();
   start.direction = Frame(n).toWorld(cosineHemisphere(v1, v2));
   const Bands& exitance = this->Scene_.material(t).exitance;
-  start.density = photometric(exitance, this->Scene_.bands()) / this->TotalFlux;
+  start.density = photometric(exitance, this->Scene_.bands()) * this->factor(i) / this->TotalWeight;
   const double scale = 1 / start.density;
   for (int b = 0; b < maxBands; ++b)
     start.weight[b] = scale * exitance[b];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/tracing/VertexDensity.h"
 
+#include "estimator/tracing/RegionMap.h"
+
 namespace kalos
 {
 namespace
@@ -22,10 +24,10 @@ Vec3 childCentre(const Vec3& centre, double half, int i)
 }  // namespace
 
 VertexDensity::VertexDensity(const Scene& scene, const Emission& emission, const Walks& walks)
-    : Scene_(scene), Flux(emission.totalFlux()), Nodes(1)
+    : Scene_(scene), Source(emission), Nodes(1)
 {
   std::vector<Collision> points;
-  if (this->Flux > 0)
+  if (emission.totalFlux() > 0)
   {
     const LightVertices pool = traceTrajectories(scene, emission, walks, pilotReplicate, 0, trajectories);
     for (const VertexSet* set : {&pool.reflected, &pool.glossy})
@@ -64,13 +66,7 @@ double VertexDensity::densityIn(double cube, const std::vector<Collision>& insid
   // Surfaces of different orientation, by the main direction of their normals; each has about the area of a face.
   std::size_t facing[6] = {};
   for (const Collision& c : inside)
-  {
-    const Vec3& n = c.normal;
-    const int axis = std::abs(n.x) > std::abs(n.y) ? (std::abs(n.x) > std::abs(n.z) ? 0 : 2)
-                                                   : (std::abs(n.y) > std::abs(n.z) ? 1 : 2);
-    const double along = axis == 0 ? n.x : axis == 1 ? n.y : n.z;
-    ++facing[2 * axis + (along > 0)];
-  }
+    ++facing[mainDirection(c.normal)];
   const auto surfaces = std::count_if(facing, facing + 6, [&](std::size_t f) { return 10 * f > inside.size(); });
   return std::max(0.5, static_cast<double>(inside.size())) /
          (std::max(1.0, static_cast<double>(surfaces)) * side * side) / trajectories;
@@ -106,11 +102,6 @@ double VertexDensity::density(const Vec3& p) const
     half /= 2;
   }
   return this->Nodes[node].density;
-}
-
-double VertexDensity::startDensity(const Material& material) const
-{
-  return this->Flux > 0 ? photometric(material.exitance, this->Scene_.bands()) / this->Flux : 0;
 }
 
 void VertexDensity::annotate(LightVertices& pool) const

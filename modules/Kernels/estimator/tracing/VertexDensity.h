@@ -25,8 +25,8 @@ public:
   /// small factor, positive everywhere.
   double density(const Vec3& p) const;
 
-  /// Density of starts on an emitting material; exact.
-  double startDensity(const Material& material) const;
+  /// Density of starts on an emitting triangle; exact.
+  double startDensity(std::uint32_t triangle) const { return this->Source.startDensity(triangle); }
 
   /// Density about the median vertex.
   double typical() const { return this->Typical; }
@@ -48,7 +48,8 @@ private:
   static double densityIn(double side, const std::vector<Collision>& inside);
 
   const Scene& Scene_;
-  double Flux, Collisions = 0, Starts = 0, Typical = 0;
+  const Emission& Source;
+  double Collisions = 0, Starts = 0, Typical = 0;
   std::vector<Node> Nodes;
 };
 }  // namespace kalos

@@ -60,12 +60,23 @@ void divide(const VertexSet& set, int count, int first, int last, std::size_t* b
 }
 }  // namespace
 
+void separateStrata(VertexSet& set)
+{
+  std::vector<std::size_t> order(set.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return set.stratum[a] < set.stratum[b]; });
+  set.reorder(order);
+  set.strataEnds.clear();
+  for (std::size_t i = 1; i <= set.size(); ++i)
+    if (i == set.size() || set.stratum[i] != set.stratum[i - 1])
+      set.strataEnds.push_back(i);
+}
+
 void spreadOverLanes(VertexSet& set)
 {
   std::vector<std::size_t> order(set.size()), tile;
-  for (std::size_t begin = 0; begin < set.size(); begin += VertexTile::capacity)
-  {
-    const auto count = static_cast<int>(std::min<std::size_t>(VertexTile::capacity, set.size() - begin));
+  forEachTile(set, [&](std::size_t begin, int count) {
     tile.resize(count);
     std::iota(tile.begin(), tile.end(), begin);
     divide(set, count, 0, lanes, tile.data());
@@ -73,7 +84,7 @@ void spreadOverLanes(VertexSet& set)
     for (int lane = 0; lane < lanes; ++lane)
       for (int i = lane; i < count; i += lanes)
         order[begin + i] = *next++;
-  }
+  });
   set.reorder(order);
 }
 }  // namespace kalos

@@ -15,6 +15,10 @@ namespace kalos
 /// their box. Systematic picks, which go through lane after lane, are stratified over space then, and so is a run of
 /// vertices, which has some of every lane. Vertices stay in their tile, and those of a lane in their order.
 void spreadOverLanes(VertexSet& set);
+
+/// Puts the vertices of each stratum together, in their order. Picks among the vertices of one stratum, in proportion
+/// to unshadowed scores, do not miss the dim vertices of a receiver's own room for bright ones next door.
+void separateStrata(VertexSet& set);
 }  // namespace kalos
 
 #endif

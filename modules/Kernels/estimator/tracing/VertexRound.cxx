@@ -24,6 +24,9 @@ std::vector<LightVertices> traceRound(const Scene& scene, const Emission& emissi
   const bool joined = workers.forEachReplicate(replicates, 1, [&](int p, std::size_t) {
     for (int c = 0; c < chunksEach; ++c)
       pools[p].append(chunks[p * chunksEach + c]);
+    if (emission.hasStrata())
+      for (VertexSet* set : {&pools[p].reflected, &pools[p].glossy, &pools[p].emitted})
+        separateStrata(*set);
     if (walks.sampling != Sampling::Independent)
       for (VertexSet* set : {&pools[p].reflected, &pools[p].glossy, &pools[p].emitted})
         spreadOverLanes(*set);

@@ -29,6 +29,7 @@ void changeArrays(const Change& change, VertexSet& v, const Set&... others)
   change(v.brdf, others.brdf...);
   change(v.incident, others.incident...);
   change(v.arrival, others.arrival...);
+  change(v.stratum, others.stratum...);
 }
 }  // namespace
 

@@ -3,6 +3,7 @@
 #ifndef kalos_estimator_tracing_VertexSet_h
 #define kalos_estimator_tracing_VertexSet_h
 
+#include <algorithm>
 #include <vector>
 
 #include "scene/Scene.h"
@@ -31,9 +32,21 @@ struct VertexSet
   std::vector<const Brdf*> brdf;         ///< of glossy vertices; empty in a Lambertian set
   std::vector<Vec3> incident;            ///< unit, towards where the light comes from; with brdf
   std::vector<Arrival> arrival;          ///< how that light came; with brdf
+  std::vector<std::uint8_t> stratum;     ///< of the trajectory; empty where emission is not guided
+  std::vector<std::size_t> strataEnds;   ///< of each stratum, once separated; empty: there is one
 
   explicit VertexSet(int bands = 1) : flux(bands) {}
   std::size_t size() const { return this->px.size(); }
+  /// Strata, and where one begins and ends.
+  std::size_t strata() const { return std::max<std::size_t>(1, this->strataEnds.size()); }
+  std::size_t stratumBegin(std::size_t s) const { return s == 0 ? 0 : this->strataEnds[s - 1]; }
+  std::size_t stratumEnd(std::size_t s) const { return this->strataEnds.empty() ? this->size() : this->strataEnds[s]; }
+  std::size_t stratumOf(std::size_t i) const
+  {
+    return this->strataEnds.empty()
+               ? 0
+               : std::upper_bound(this->strataEnds.begin(), this->strataEnds.end(), i) - this->strataEnds.begin();
+  }
   bool isGlossy() const { return !this->brdf.empty(); }
   Vec3 position(std::size_t i) const { return {this->px[i], this->py[i], this->pz[i]}; }
   Vec3 normal(std::size_t i) const { return {this->nx[i], this->ny[i], this->nz[i]}; }

@@ -19,6 +19,15 @@ struct VertexTile
 
   int paddedCount() const { return (this->count + lanes - 1) / lanes * lanes; }
 };
+
+/// Calls visit(begin, count) for every tile of a set; no tile has vertices of two strata.
+template <class Visit>
+void forEachTile(const VertexSet& v, const Visit& visit)
+{
+  for (std::size_t s = 0; s < v.strata(); ++s)
+    for (std::size_t begin = v.stratumBegin(s), end = v.stratumEnd(s); begin < end; begin += VertexTile::capacity)
+      visit(begin, static_cast<int>(std::min<std::size_t>(VertexTile::capacity, end - begin)));
+}
 }  // namespace kalos
 
 #endif
