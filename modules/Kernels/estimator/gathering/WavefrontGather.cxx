@@ -38,7 +38,7 @@ std::size_t WavefrontGather::follow(const Sensor& sensor, const Vec3& direction,
 {
   const std::size_t i = this->add(sensor, start, random, true);
   this->Paths[i].sampled = {direction, dot(direction, sensor.normal) / pi, false};
-  if (this->advance(i, y))
+  if (this->advance(i, this->passPanes(i, y)))
     this->Active.push_back(i);
   return i;
 }
@@ -75,7 +75,9 @@ void WavefrontGather::run()
       return true;
     });
     traceTogether(scene, rays);
-    keepThose([&](std::size_t k) { return this->advance(this->Active[k], rays[k].end); });
+    keepThose([&](std::size_t k) {
+      return this->advance(this->Active[k], this->passPanes(this->Active[k], rays[k].end));
+    });
     this->addSeen();
   }
   this->addSeen();  // of rays that were given
@@ -112,6 +114,38 @@ bool WavefrontGather::draw(PathState& path) const
   for (int b = 0; b < bands; ++b)
     path.throughput[b] *= share * sample.weight[b];
   return true;
+}
+
+// Where a ray ends that opaque surfaces would end at y: at each pane of glass it passes or is reflected, in proportion to
+// what the glass does with light. The path then starts at the last pane that has reflected it.
+SurfacePoint WavefrontGather::passPanes(std::size_t i, SurfacePoint y)
+{
+  const Scene& scene = this->Rays.scene();
+  PathState& path = this->Paths[i];
+  RayAnchor from = path.at.anchor;
+  for (SurfacePoint pane = scene.pane(from, path.sampled.direction, y); pane.valid;
+       pane = scene.pane(from, path.sampled.direction, y))
+  {
+    if (path.sampled.mirror)
+      this->Rays.luminaires().addSeen(from.lifted(), path.sampled.direction, pane, path.throughput, this->found(i));
+    const Glass& glass = *scene.material(pane.triangle).glass;
+    const double cosine = dot(path.sampled.direction, pane.normal), through = glass.transmittance(cosine),
+                 back = glass.reflectance(cosine);
+    for (int b = 0; b < scene.bands(); ++b)
+      path.throughput[b] *= through + back;
+    const bool passes = path.random.next() * (through + back) < through;
+    from = passes ? scene.behind(pane) : scene.anchor(pane);
+    if (passes && !path.sampled.mirror)
+      continue;
+    path.at.anchor = from;
+    path.at.position = pane.position;
+    if (passes)
+      continue;
+    path.sampled.direction = reflected(-path.sampled.direction, pane.normal);
+    path.sampled.mirror = true;
+    y = scene.trace(from, path.sampled.direction);
+  }
+  return y;
 }
 
 bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
@@ -274,7 +308,8 @@ void WavefrontGather::addSeen()
   shadowTogether(this->Rays.scene().rays(), this->Shadows);
   for (std::size_t k = 0; k < this->Shadows.size(); ++k)
     for (std::size_t b = 0; b < this->Count && !this->Shadows[k].hidden; ++b)
-      this->found(this->PendingPath[k])[b] += this->PendingContributions[k * this->Count + b];
+      this->found(this->PendingPath[k])[b] +=
+          this->Shadows[k].transmittance * this->PendingContributions[k * this->Count + b];
   this->Shadows.clear();
   this->PendingContributions.clear();
   this->PendingPath.clear();

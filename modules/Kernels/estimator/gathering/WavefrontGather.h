@@ -77,6 +77,7 @@ private:
   };
   std::size_t add(const Sensor& sensor, const Start& start, const SampleStream& random, bool first);
   bool draw(PathState& path) const;
+  SurfacePoint passPanes(std::size_t i, SurfacePoint y);
   bool advance(std::size_t i, const SurfacePoint& y);
   void addEmission(std::size_t i, const SurfacePoint& y, double kernel, bool whole);
   bool survives(PathState& path) const;
