@@ -19,10 +19,12 @@ Glass::Glass(double tau, double n) : Normal(tau), Index(n)
   if (!(n >= 1 && n <= 4))
     throw std::invalid_argument("glass: the refractive index is " + std::to_string(n) + "; expected 1 to 4");
   if (!(tau > 0 && tau <= 1))
-    throw std::invalid_argument("glass: the transmittance is " + std::to_string(tau) + "; expected above 0 and at most 1");
+    throw std::invalid_argument("glass: the transmittance is " + std::to_string(tau) +
+                                "; expected above 0 and at most 1");
   if (tau > clearest(n) * (1 + 1e-9))
-    throw std::invalid_argument("glass: the transmittance is " + std::to_string(tau) + ", but the two sides of refractive index " +
-                                std::to_string(n) + " let through only " + std::to_string(clearest(n)));
+    throw std::invalid_argument("glass: the transmittance is " + std::to_string(tau) +
+                                ", but the two sides of refractive index " + std::to_string(n) + " let through only " +
+                                std::to_string(clearest(n)));
   // tau r^2 a^2 + (1 - r)^2 a - tau = 0
   const double r = (n - 1) * (n - 1) / ((n + 1) * (n + 1)), through = (1 - r) * (1 - r);
   this->Once = std::min(1.0, 2 * tau / (through + std::sqrt(through * through + 4 * tau * tau * r * r)));

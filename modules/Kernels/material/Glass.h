@@ -5,8 +5,8 @@
 
 namespace kalos
 {
-/// A slab in air with all internal reflections, for unpolarised light. With the reflectance R of one side by Fresnel and
-/// the share a that crosses the slab once, each polarisation has
+/// A slab in air with all internal reflections, for unpolarised light. With the reflectance R of one side by Fresnel
+/// and the share a that crosses the slab once, each polarisation has
 ///   tau = (1 - R)^2 a / (1 - R^2 a^2),   rho = R + R (1 - R)^2 a^2 / (1 - R^2 a^2),   a = a0^(1 / cos theta_t).
 /// a0 is what gives the transmittance at normal incidence.
 class Glass

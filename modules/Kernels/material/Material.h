@@ -11,7 +11,8 @@
 namespace kalos
 {
 /// A two-sided reflector: a diffuse part, a glossy GGX lobe and a perfect mirror share; it may emit on the side of its
-/// normal; or a pane of glass, which does nothing else. The sum of reflectance, specular and mirror stays below 1. material/Brdf.h has the formulas.
+/// normal; or a pane of glass, which does nothing else. The sum of reflectance, specular and mirror stays below 1.
+/// material/Brdf.h has the formulas.
 struct Material
 {
   Bands reflectance{};   ///< diffuse reflectance rho per band, [0, 1)

@@ -37,8 +37,8 @@ private:
   RayScene Rays;
 };
 
-/// The triangles, but only the panes among them or only the others: what is left out is collapsed to a point, which no ray
-/// meets.
+/// The triangles, but only the panes among them or only the others: what is left out is collapsed to a point, which no
+/// ray meets.
 std::vector<Triangle> collapsed(const std::vector<Triangle>& triangles,
                                 const std::vector<std::shared_ptr<const Glass>>& glass, bool panesOnly);
 }  // namespace kalos

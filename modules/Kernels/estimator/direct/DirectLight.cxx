@@ -245,8 +245,7 @@ void DirectLight::sample(const Sensor* sensors, int count, SampleStream& random,
   const std::uint32_t hidden = this->Scene_.rays().occluded(packet, rays);
   for (int k = 0; k < rays; ++k)
   {
-    const double visible =
-        hidden >> k & 1 ? 0 : this->Scene_.rays().transmittance(sensors[lit[k]].anchor, targets[k]);
+    const double visible = hidden >> k & 1 ? 0 : this->Scene_.rays().transmittance(sensors[lit[k]].anchor, targets[k]);
     for (int b = 0; b < this->Scene_.bands() && visible < 1; ++b)
       light[lit[k]][b] *= visible;
   }

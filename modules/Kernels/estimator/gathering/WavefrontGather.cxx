@@ -75,9 +75,8 @@ void WavefrontGather::run()
       return true;
     });
     traceTogether(scene, rays);
-    keepThose([&](std::size_t k) {
-      return this->advance(this->Active[k], this->passPanes(this->Active[k], rays[k].end));
-    });
+    keepThose(
+        [&](std::size_t k) { return this->advance(this->Active[k], this->passPanes(this->Active[k], rays[k].end)); });
     this->addSeen();
   }
   this->addSeen();  // of rays that were given
@@ -116,8 +115,8 @@ bool WavefrontGather::draw(PathState& path) const
   return true;
 }
 
-// Where a ray ends that opaque surfaces would end at y: at each pane of glass it passes or is reflected, in proportion to
-// what the glass does with light. The path then starts at the last pane that has reflected it.
+// Where a ray ends that opaque surfaces would end at y: at each pane of glass it passes or is reflected, in proportion
+// to what the glass does with light. The path then starts at the last pane that has reflected it.
 SurfacePoint WavefrontGather::passPanes(std::size_t i, SurfacePoint y)
 {
   const Scene& scene = this->Rays.scene();

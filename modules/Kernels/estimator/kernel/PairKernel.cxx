@@ -137,8 +137,7 @@ void keepVisible(const RayScene& rays, const VertexSet& v, const Sensor& sensor,
         continue;
       if (rays.panes())
       {
-        const double through =
-            rays.transmittance(sensor.anchor, v.anchor(static_cast<std::size_t>(block.index[kept])));
+        const double through = rays.transmittance(sensor.anchor, v.anchor(static_cast<std::size_t>(block.index[kept])));
         block.kernel[kept] *= static_cast<float>(through);
         block.plain[kept] *= static_cast<float>(through);
       }

@@ -101,8 +101,8 @@ public:
   }
 
 private:
-  static constexpr int mirrorsFollowed = 8;      // gather rays follow further ones
-  static constexpr double leastWeight = 1e-4;    // of a reflection in glass that is followed
+  static constexpr int mirrorsFollowed = 8;    // gather rays follow further ones
+  static constexpr double leastWeight = 1e-4;  // of a reflection in glass that is followed
 
   // Adds what is seen along a line of sight that `mirrors` mirrors or panes have turned.
   void follow(std::size_t pixel, const RayAnchor& from, const Vec3& direction, double weight, int mirrors)
@@ -129,8 +129,8 @@ private:
   }
 
   // Exitance and sky at the end of a line of sight; behind a mirror the luminous rectangles on its way.
-  void addLights(std::size_t pixel, const RayAnchor& from, const Vec3& direction, const SurfacePoint& end, double weight,
-                 bool mirrored)
+  void addLights(std::size_t pixel, const RayAnchor& from, const Vec3& direction, const SurfacePoint& end,
+                 double weight, bool mirrored)
   {
     Bands seen{};
     const auto& sky = this->Scene_.data().sky;
