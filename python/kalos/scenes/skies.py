@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+import warnings
 from typing import Optional, Tuple
 
 import numpy as np
@@ -65,19 +66,27 @@ def sun_position(when: datetime.datetime, latitude: float, longitude: float) -> 
     when: a date and time with its time zone. latitude: degrees north, longitude: degrees east. Needs astropy (Debian's
     python3-astropy); raises InputError without it. The elevation is below 0 at night.
     """
-    if when.tzinfo is None:
+    elevation, azimuth = sun_positions(when, 1, latitude, longitude)
+    return float(elevation[0]), float(azimuth[0])
+
+
+def sun_positions(first: datetime.datetime, hours: int, latitude: float, longitude: float) -> Tuple[np.ndarray, np.ndarray]:
+    """The same of so many hours from the first on, as arrays."""
+    if first.tzinfo is None:
         raise InputError("when: has no time zone, expected one, such as datetime.timezone.utc")
     for name, value, most in (("latitude", latitude, 90), ("longitude", longitude, 180)):
         if not -most <= value <= most:
             raise InputError(f"{name}: is {value}, expected degrees from {-most} to {most}")
     try:
+        from astropy import units
         from astropy.coordinates import AltAz, EarthLocation, get_sun
-        from astropy.time import Time
+        from astropy.time import Time, TimeDelta
         from astropy.utils import iers
     except ImportError:
         raise InputError("sun_position: astropy is not installed, expected Debian's python3-astropy or PyPI's astropy") from None
-    with iers.conf.set_temp("auto_download", False), iers.conf.set_temp("iers_degraded_accuracy", "ignore"):
-        time = Time(when.astimezone(datetime.timezone.utc))
+    with iers.conf.set_temp("auto_download", False), iers.conf.set_temp("iers_degraded_accuracy", "ignore"), warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # tables of leap seconds that are some months old do for sunlight
+        time = Time(first.astimezone(datetime.timezone.utc).replace(tzinfo=None)) + TimeDelta(np.arange(hours) * units.hour)
         place = EarthLocation.from_geodetic(longitude, latitude)
         found = get_sun(time).transform_to(AltAz(obstime=time, location=place))
-        return float(found.alt.deg), float(found.az.deg)
+        return found.alt.deg, found.az.deg
