@@ -225,11 +225,11 @@ void SkyOpenings::keep(const std::vector<Ray>& rays)
   for (const Ray& ray : rays)
   {
     Face face{};
-    if (!this->encloses(ray.from) ||
-        !this->exitOf(this->Bounds, this->local(ray.from), this->local(ray.direction), face))
-      continue;
-    points[face.face].push_back({face.u, face.v});
-    ++inside;
+    if (this->encloses(ray.from) && this->exitOf(this->Bounds, this->local(ray.from), this->local(ray.direction), face))
+    {
+      points[face.face].push_back({face.u, face.v});
+      ++inside;
+    }
   }
   std::vector<std::pair<int, CoverRectangle>> found;
   for (int face = 0; face < 6; ++face)
@@ -242,11 +242,10 @@ void SkyOpenings::keep(const std::vector<Ray>& rays)
   double covered = 0;
   for (const auto& [face, r] : found)
   {
-    if (covered > enoughCovered)
-      break;
     const double share = static_cast<double>(r.points) / static_cast<double>(inside);
+    if (covered <= enoughCovered)
+      this->add(face, r, share);
     covered += share;
-    this->add(face, r, share);
   }
 }
 
@@ -271,8 +270,6 @@ void SkyOpenings::add(int face, const CoverRectangle& r, double share)
 
 bool SkyOpenings::encloses(const Vec3& p) const
 {
-  if (!this->any() && this->Escaped == 0)
-    return false;
   const Vec3 q = this->local(p);
   const double c[3] = {q.x, q.y, q.z};
   for (int k = 0; k < 3; ++k)
@@ -297,7 +294,7 @@ bool SkyOpenings::covers(std::size_t i, int face, const Vec3& point) const
     return false;
   const int k = face / 2;
   const double u = dot(point, this->Axes[(k + 1) % 3]), v = dot(point, this->Axes[(k + 2) % 3]);
-  const std::array<double, 4>& e = this->Extents[i];
+  const auto& e = this->Extents[i];
   return u >= e[0] && u <= e[1] && v >= e[2] && v <= e[3];
 }
 }  // namespace kalos
