@@ -81,7 +81,7 @@ private:
   Material transparent(const MtlEntry& entry, const Material& opaque)
   {
     const double opacity = entry.has("d") ? entry.number("d", 1.0) : 1.0 - entry.number("tr", 0.0);
-    const double through = (1.0 - opacity) * luminanceOf(entry.color("tf", 1.0, 1.0));
+    const double through = opacity < 1.0 ? (1.0 - opacity) * luminanceOf(entry.color("tf", 1.0, 1.0)) : 0.0;
     if (!(through > 0.0))
     {
       return opaque;
@@ -97,7 +97,7 @@ private:
   {
     if (entry.has("map_d"))
     {
-      this->Found.count("transparency maps", entry.name, "left out", "a surface has one transmittance all over");
+      this->Found.count("transparent materials", entry.name, "opaque", "a surface has no holes by texture");
     }
     for (const char* keyword : {"map_ks", "map_pr", "map_pm", "map_ps", "decal", "pc", "ps"})
     {
