@@ -12,10 +12,13 @@
 namespace vtkKalosArrayNames
 {
 // Surfaces, cell data of vtkPolyData.
-constexpr const char* Reflectance = "Reflectance";    ///< diffuse reflectance [0,1), 1 or n components; required
-constexpr const char* Specular = "Specular";          ///< normal-incidence reflectance of the glossy lobe [0,1)
-constexpr const char* Roughness = "Roughness";        ///< GGX roughness of the glossy lobe (0,1]
-constexpr const char* Mirror = "Mirror";              ///< reflectance of a perfect mirror [0,1)
+constexpr const char* Reflectance = "Reflectance";  ///< diffuse reflectance [0,1), 1 or n components; required
+constexpr const char* Specular = "Specular";        ///< normal-incidence reflectance of the glossy lobe [0,1)
+constexpr const char* Roughness = "Roughness";      ///< GGX roughness of the glossy lobe (0,1]
+constexpr const char* Mirror = "Mirror";            ///< reflectance of a perfect mirror [0,1)
+/// Of panes of glass (0,1], at normal incidence; 0: opaque. Their other arrays do not matter.
+constexpr const char* Transmittance = "Transmittance";
+constexpr const char* RefractiveIndex = "RefractiveIndex";  ///< of such panes, 1 to 4
 constexpr const char* Exitance = "Exitance";          ///< emitted on the side of the normal, lm/m², 1 or n components
 constexpr const char* SurfaceId = "SurfaceId";        ///< index into the field data array SurfaceNames
 constexpr const char* SurfaceNames = "SurfaceNames";  ///< field data, strings

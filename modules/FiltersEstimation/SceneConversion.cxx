@@ -67,6 +67,8 @@ double ReadNumber(vtkDataArray* array, vtkIdType cell, double absent, double hig
   return v;
 }
 
+constexpr double plainGlass = 1.52;  // refractive index
+
 kalos::Material ReadMaterial(vtkCellData* data, vtkIdType cell, int bands)
 {
   constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -77,6 +79,20 @@ kalos::Material ReadMaterial(vtkCellData* data, vtkIdType cell, int bands)
   material.specular = ReadNumber(data->GetArray(Names::Specular), cell, 0, 1);
   material.roughness = ReadNumber(data->GetArray(Names::Roughness), cell, 1, 1);
   material.mirror = ReadNumber(data->GetArray(Names::Mirror), cell, 0, 1);
+  if (const double transmittance = ReadNumber(data->GetArray(Names::Transmittance), cell, 0, 1); transmittance > 0)
+  {
+    vtkDataArray* index = data->GetArray(Names::RefractiveIndex);
+    try
+    {
+      material.glass =
+          std::make_shared<const kalos::Glass>(transmittance, index ? index->GetComponent(cell, 0) : plainGlass);
+    }
+    catch (const std::invalid_argument& error)
+    {
+      Refuse(Names::Transmittance, "cell", cell, error.what());
+    }
+    return material;
+  }
   for (int b = 0; b < bands; ++b)
     if (!(material.reflectance[b] + material.specular + material.mirror < 1))
       Refuse(Names::Reflectance, "cell", cell, "with Specular and Mirror must sum to less than 1");
@@ -85,11 +101,17 @@ kalos::Material ReadMaterial(vtkCellData* data, vtkIdType cell, int bands)
   return material;
 }
 
-using MaterialKey = std::tuple<kalos::Bands, kalos::Bands, double, double, double>;
+using MaterialKey = std::tuple<kalos::Bands, kalos::Bands, double, double, double, double, double>;
 
 MaterialKey KeyOf(const kalos::Material& m)
 {
-  return {m.reflectance, m.exitance, m.specular, m.roughness, m.mirror};
+  return {m.reflectance,
+          m.exitance,
+          m.specular,
+          m.roughness,
+          m.mirror,
+          m.glass ? m.glass->normalTransmittance() : 0,
+          m.glass ? m.glass->refractiveIndex() : 0};
 }
 
 /// The triangulation leaves out polygons without area and those it cannot cut; nothing is dropped silently.

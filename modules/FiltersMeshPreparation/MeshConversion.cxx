@@ -92,7 +92,7 @@ bool saysWhatASurfaceIs(vtkAbstractArray* array)
   }
   const std::string name = array->GetName() ? array->GetName() : "";
   using namespace vtkKalosArrayNames;
-  const auto names = {Reflectance, Specular, Roughness, Mirror, Exitance};
+  const auto names = {Reflectance, Specular, Roughness, Mirror, Exitance, Transmittance, RefractiveIndex};
   return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
 }
 

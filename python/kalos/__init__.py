@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Illuminance (lx) and luminance (cd/m2) of lit scenes by Monte Carlo local estimation, in VTK pipelines.
 
-A scene in memory: surface(), quad() and box() make surfaces from NumPy arrays, luminaire() and panel() luminaires;
+A scene in memory: surface(), quad() and box() make surfaces from NumPy arrays, luminaire(),
+panel() and sky() what lights them;
 illuminance() and luminance() estimate it and return an Illuminance or a Luminance with a standard error for every value.
 
 A scene file: Scene reads, builds, changes and writes one. solve() writes a folder of tables and pictures as the command
@@ -25,7 +26,8 @@ from kalos.pictures.look import Look  # noqa: E402
 from kalos.scenes.geometry import box, quad, surface  # noqa: E402
 from kalos.scenes.luminaires import luminaire, panel  # noqa: E402
 from kalos.scenes.scene import Scene  # noqa: E402
+from kalos.scenes.skies import sky, sun_position  # noqa: E402
 from kalos.vtk import *  # noqa: E402,F403
 
 __all__ = ["Illuminance", "InputError", "Interrupted", "KalosError", "Look", "Luminance", "Scene", "__version__", "box", "chart", "illuminance",
-           "luminaire", "luminance", "panel", "quad", "solve", "study", "surface", "validate"]
+           "luminaire", "luminance", "panel", "quad", "sky", "solve", "study", "sun_position", "surface", "validate"]

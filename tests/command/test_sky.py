@@ -4,10 +4,12 @@ import csv
 import json
 import math
 
+import numpy as np
 import pytest
 from conftest import one_line
 
 import kalos
+from kalos.results.daylight import daylight_figures
 
 PLANE = {"origin": [0, 0, 5], "u": [2, 0, 0], "v": [0, 2, 0], "resolution": [2, 2]}
 SKY = {"cie": 5, "horizontal_illuminance": 10000, "sun": {"elevation_deg": 60, "azimuth_deg": 180, "normal_illuminance": 0}}
@@ -40,7 +42,20 @@ def test_daylight_factors_are_100_where_nothing_hides_the_sky(outdoors, command,
         assert float(row["daylight_factor_percent"]) == pytest.approx(100, rel=1e-6)
         assert float(row["standard_error_lx"]) < 1e-6
     assert list(rows(tmp_path / "out" / "high.csv")[0])[-1] == "daylight_factor_percent"
-    assert summary["receivers"]["high"]["daylight"]["median"] == pytest.approx(100, rel=1e-6)
+    found = summary["receivers"]["high"]["daylight"]
+    assert found["median"] == pytest.approx(100, rel=1e-6)
+    assert found["mean_direct"] == pytest.approx(100, rel=1e-6)
+    assert found["en_17037"]["high"] == {"target": 1, "minimum_target": 1}
+
+
+def test_figures_of_daylight_factors():
+    factors = np.array([4.0, 3.0, 2.0, 1.0])
+    found = daylight_figures(factors, 100 * factors, 25 * factors, np.ones(4))
+    assert found["mean"] == 2.5
+    assert (found["mean_direct"], found["mean_reflected"]) == (0.625, 1.875)
+    assert (found["d_t"], found["d_tm"], found["median"]) == (3, 1, 3)
+    assert found["en_17037"]["minimum"] == {"target": 0.5, "minimum_target": 1}
+    assert found["en_17037"]["medium"] == {"target": 0, "minimum_target": 0.5}
 
 
 @pytest.mark.parametrize("north, azimuth, normal, share", [
@@ -125,7 +140,6 @@ def test_a_map_is_a_sky(outdoors, command, tmp_path):
     """An image of an even sky of 1000 cd/m2, written by the writer of images."""
     from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkCommonDataModel import vtkImageData
-    import numpy as np
 
     image = vtkImageData()
     image.SetDimensions(8, 4, 1)
@@ -154,3 +168,37 @@ def test_scenes_in_memory_have_skies(tmp_path):
     assert kalos.Scene.read(tmp_path / "scene.json").sky == document["sky"]
     found = kalos.solve(scene, tmp_path / "out", trajectories=256, daylight_factor=True)
     assert found["receivers"]["high"]["daylight"]["mean"] == pytest.approx(100, rel=1e-6)
+
+
+WINDOW = {"name": "pane", "quad": {"origin": [0, 0, 3], "u": [2, 0, 0], "v": [0, 2, 0]}, "material": "clear"}
+
+
+def test_glass_dims_daylight(outdoors, command, tmp_path):
+    """A pane over a plane that sees nothing else: the mean transmittance of a uniform sky."""
+    outdoors["materials"]["clear"] = {"glass": {"transmittance": 0.78, "refractive_index": 1.52}}
+    outdoors = through_a_hole(outdoors)
+    outdoors["ground"] = {"reflectance": 0}
+    outdoors["materials"]["grey"] = {"reflectance": 0}
+    open_, glazed = tmp_path / "open", tmp_path / "glazed"
+    solved(command, outdoors, open_)
+    outdoors["surfaces"].append(WINDOW)
+    solved(command, outdoors, glazed)
+    for before, after in zip(rows(open_ / "high.csv"), rows(glazed / "high.csv")):
+        ratio = float(after["illuminance_lx"]) / float(before["illuminance_lx"])
+        assert 0.72 < ratio < 0.78  # below the normal one, as light comes aslant
+    outdoors["surfaces"][-1] = {**WINDOW, "material": "opening"}
+    solved(command, outdoors, glazed)
+    for before, after in zip(rows(open_ / "high.csv"), rows(glazed / "high.csv")):
+        assert float(after["illuminance_lx"]) == pytest.approx(float(before["illuminance_lx"]), rel=0.02)
+
+
+@pytest.mark.parametrize("glass, message", [
+    ({"transmittance": 1.2}, "the transmittance is out of range; expected above 0 and at most 1"),
+    ({"transmittance": 0.95}, "the transmittance is 0.95, but the two sides of a refractive index of 1.52 reflect so much that 0.918347 is "
+                              "the highest; expected no more"),
+    ({"transmittance": 0.5, "refractive_index": 0.5}, "the refractive index is out of range; expected 1 to 4")])
+def test_glass_that_cannot_be_is_refused(outdoors, command, tmp_path, glass, message):
+    outdoors["materials"]["clear"] = {"glass": glass}
+    path = outdoors.save()
+    status, _, error = command("solve", path, "--out", tmp_path / "out")
+    assert (status, one_line(error)) == (2, f"{path}: materials.clear.glass: {message}")

@@ -71,7 +71,7 @@ def check(reader, reflectance, told):
     (OBJ, MTL.replace("wood", "wood # of the floor"), 0.4, {}),
     (OBJ, "newmtl wood\nkd 0.4 0.4 0.4\n", 0.4, {}),
     (OBJ, MTL + "Ks 1.031544 1.031544 1.031544\nillum 2\n", 0.4, {"highlights": "(1: wood)"}),
-    (OBJ, MTL + "d -halo 0.5\n", 0.4, {"transparent materials": "(1: wood)"}),
+    (OBJ, MTL + "d -halo 0.5\n", 0.0, {"transparent materials": "(1: wood)"}),
     (OBJ, MTL + "Ns -1\nTf spectral x.rfl\nillum 2\n", 0.4, {}),
     (OBJ, MTL + "map_Kd -s 2 2 -o 0.5 -clamp on lost file.png\n", 0.4,
      {"textures that cannot be read": "there is no file lost file.png (1: wood)"}),

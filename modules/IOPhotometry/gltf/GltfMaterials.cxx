@@ -46,6 +46,24 @@ double factor(const JsonCursor& holder, const char* key, double absent, double h
   return number;
 }
 
+/** What a thin pane lets through: of KHR_materials_transmission, else what alpha leaves. */
+double transmittance(const JsonCursor& node, const MetallicRoughness& source)
+{
+  const auto extensions = node.find("extensions");
+  const auto transmission = extensions ? extensions->find("KHR_materials_transmission") : std::nullopt;
+  if (transmission)
+  {
+    return factor(*transmission, "transmissionFactor", 0.0) * luminanceOf(source.baseColor);
+  }
+  const auto alpha = node.find("alphaMode"), pbr = node.find("pbrMetallicRoughness");
+  const auto base = pbr ? pbr->find("baseColorFactor") : std::nullopt;
+  if (!alpha || alpha->string() != "BLEND" || !base || base->items().size() != 4)
+  {
+    return 0.0;
+  }
+  return std::clamp(1.0 - base->items()[3].number(), 0.0, 1.0);
+}
+
 /** Reads the materials of one file; images are decoded once. */
 class Reader
 {
@@ -74,6 +92,13 @@ public:
     result.emitsOnBothSides = sides && sides->boolean() && luminanceOf(source.luminance) > 0.0;
     this->tellEmission(name, source, result.emitsOnBothSides);
     this->tell(node, name, changes);
+    if (const double through = transmittance(node, source); through > 0.0)
+    {
+      result = GltfMaterial{};
+      result.material.transmittance = std::min(through, clearestGlass(PlainGlass));
+      this->Found.count("transparent materials", name, "thin panes of glass",
+                        "each face is one, of refractive index 1.52; transmission, or 1 - alpha, is its transmittance");
+    }
     return result;
   }
 
@@ -159,11 +184,13 @@ private:
     }
     const auto alpha = node.find("alphaMode");
     const auto extensions = node.find("extensions");
-    const bool transparent = extensions && (extensions->has("KHR_materials_transmission") ||
-                                            extensions->has("KHR_materials_diffuse_transmission"));
-    if (transparent || (alpha && alpha->string() != "OPAQUE"))
+    if (extensions && extensions->has("KHR_materials_diffuse_transmission"))
     {
-      this->Found.count("transparent materials", name, "opaque", "nothing is modelled that passes light");
+      this->Found.count("translucent materials", name, "opaque", "no surface passes light diffusely");
+    }
+    if (alpha && alpha->string() == "MASK")
+    {
+      this->Found.count("masked materials", name, "opaque", "a surface has no holes by texture");
     }
   }
 

@@ -9,6 +9,8 @@
 
 namespace kalos::scene
 {
+constexpr double PlainGlass = 1.52;  ///< refractive index
+
 /** Of one polygon. Reflectance and Exitance have 1 or n components, one a band. */
 struct Material
 {
@@ -17,9 +19,14 @@ struct Material
   double specular = 0.0;                 ///< normal-incidence reflectance of the glossy lobe, [0,1)
   double roughness = 1.0;                ///< GGX roughness, (0,1]
   double mirror = 0.0;                   ///< [0,1)
+  double transmittance = 0.0;            ///< of a pane of glass at normal incidence, (0,1]; 0: opaque
+  double refractiveIndex = PlainGlass;   ///< of such a pane
 };
 
 using Materials = std::map<std::string, Material>;
+
+/** The highest transmittance of a pane of this refractive index: without absorption. */
+double clearestGlass(double index);
 
 /** Empty if all numbers are in range, else what is wrong and what is expected. */
 std::string checkMaterial(const Material& material);

@@ -50,7 +50,7 @@ public:
       this->Found.count("emissive materials", entry.name, "exitance pi Ke", "Ke is taken as a luminance in cd/m2");
     }
     this->tellWhatIsLeftOut(entry);
-    return material;
+    return this->transparent(entry, material);
   }
 
 private:
@@ -77,12 +77,27 @@ private:
     return material;
   }
 
-  void tellWhatIsLeftOut(const MtlEntry& entry)
+  /** A pane of glass where the entry lets light through, times its filter's colour. */
+  Material transparent(const MtlEntry& entry, const Material& opaque)
   {
     const double opacity = entry.has("d") ? entry.number("d", 1.0) : 1.0 - entry.number("tr", 0.0);
-    if (opacity < 1.0 || entry.has("map_d"))
+    const double through = opacity < 1.0 ? (1.0 - opacity) * luminanceOf(entry.color("tf", 1.0, 1.0)) : 0.0;
+    if (!(through > 0.0))
     {
-      this->Found.count("transparent materials", entry.name, "opaque", "nothing is modelled that passes light");
+      return opaque;
+    }
+    Material pane;
+    pane.transmittance = std::min(through, clearestGlass(PlainGlass));
+    this->Found.count("transparent materials", entry.name, "thin panes of glass",
+                      "each face is one, of refractive index 1.52; d and Tf are its transmittance");
+    return pane;
+  }
+
+  void tellWhatIsLeftOut(const MtlEntry& entry)
+  {
+    if (entry.has("map_d"))
+    {
+      this->Found.count("transparent materials", entry.name, "opaque", "a surface has no holes by texture");
     }
     for (const char* keyword : {"map_ks", "map_pr", "map_pm", "map_ps", "decal", "pc", "ps"})
     {

@@ -73,7 +73,8 @@ std::vector<double> tuple(vtkDataArray* array, vtkIdType cell)
 bool same(const Material& a, const Material& b)
 {
   return a.reflectance == b.reflectance && a.exitance == b.exitance && a.specular == b.specular &&
-         a.roughness == b.roughness && a.mirror == b.mirror;
+         a.roughness == b.roughness && a.mirror == b.mirror && a.transmittance == b.transmittance &&
+         a.refractiveIndex == b.refractiveIndex;
 }
 
 /** Materials from the arrays that a VTP file carries. */
@@ -99,6 +100,8 @@ void useOwnMaterials(Mesh& mesh, vtkPolyData* data, const std::string& path)
     material.specular = scalar(Specular, cell, 0.0);
     material.roughness = scalar(Roughness, cell, 1.0);
     material.mirror = scalar(Mirror, cell, 0.0);
+    material.transmittance = scalar(Transmittance, cell, 0.0);
+    material.refractiveIndex = scalar(RefractiveIndex, cell, PlainGlass);
     const std::string problem = checkMaterial(material);
     if (!problem.empty())
     {

@@ -5,8 +5,30 @@ namespace kalos::scene
 {
 namespace
 {
+Material readGlass(const JsonCursor& node, const JsonCursor& glass)
+{
+  node.checkKeys({"glass"});
+  glass.checkKeys({"transmittance", "refractive_index"});
+  Material material;
+  material.transmittance = glass.at("transmittance").numberAbove(0.0);
+  if (const auto index = glass.find("refractive_index"))
+  {
+    material.refractiveIndex = index->number();
+  }
+  const std::string problem = checkMaterial(material);
+  if (!problem.empty())
+  {
+    glass.fail(problem);
+  }
+  return material;
+}
+
 Material readMaterial(const JsonCursor& node)
 {
+  if (const auto glass = node.find("glass"))
+  {
+    return readGlass(node, *glass);
+  }
   node.checkKeys({"reflectance", "specular", "roughness", "mirror", "exitance"});
   Material material;
   material.reflectance = node.at("reflectance").bands(1.0);
@@ -46,6 +68,9 @@ Material readMaterial(const JsonCursor& node)
 Materials readMaterials(const JsonCursor& scene)
 {
   Materials materials;
+  Material hole;  // marks where light enters, and does nothing to it
+  hole.transmittance = hole.refractiveIndex = 1.0;
+  materials["opening"] = hole;
   if (const auto section = scene.find("materials"))
   {
     for (const auto& [name, node] : section->members())

@@ -138,7 +138,7 @@ namespace
 class MaterialArrays
 {
 public:
-  MaterialArrays(vtkPolyData* data, int bands, vtkIdType cells)
+  MaterialArrays(vtkPolyData* data, int bands, vtkIdType cells, bool glass)
       : Bands(bands),
         Reflectance(newCellArray(data, vtkKalosArrayNames::Reflectance, bands, cells)),
         Exitance(newCellArray(data, vtkKalosArrayNames::Exitance, bands, cells)),
@@ -146,6 +146,11 @@ public:
         Roughness(newCellArray(data, vtkKalosArrayNames::Roughness, 1, cells)),
         Mirror(newCellArray(data, vtkKalosArrayNames::Mirror, 1, cells))
   {
+    if (glass)
+    {
+      this->Transmittance = newCellArray(data, vtkKalosArrayNames::Transmittance, 1, cells);
+      this->RefractiveIndex = newCellArray(data, vtkKalosArrayNames::RefractiveIndex, 1, cells);
+    }
   }
 
   void set(vtkIdType cell, const Material& material)
@@ -160,12 +165,26 @@ public:
     this->Specular->SetValue(cell, material.specular);
     this->Roughness->SetValue(cell, material.roughness);
     this->Mirror->SetValue(cell, material.mirror);
+    if (this->Transmittance)
+    {
+      this->Transmittance->SetValue(cell, material.transmittance);
+      this->RefractiveIndex->SetValue(cell, material.refractiveIndex);
+    }
   }
 
 private:
   int Bands;
   vtkSmartPointer<vtkDoubleArray> Reflectance, Exitance, Specular, Roughness, Mirror;
+  vtkSmartPointer<vtkDoubleArray> Transmittance, RefractiveIndex;  // only where there is glass
 };
+
+bool hasGlass(const std::vector<Surface>& surfaces)
+{
+  return std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& surface) {
+    const std::vector<Material>& all = surface.polygons.palette;
+    return std::any_of(all.begin(), all.end(), [](const Material& material) { return material.transmittance > 0.0; });
+  });
+}
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> makeSurfaceData(const std::vector<Surface>& surfaces)
@@ -177,7 +196,7 @@ vtkSmartPointer<vtkPolyData> makeSurfaceData(const std::vector<Surface>& surface
   }
 
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  MaterialArrays materials(data, static_cast<int>(numberOfBands(surfaces)), cells);
+  MaterialArrays materials(data, static_cast<int>(numberOfBands(surfaces)), cells, hasGlass(surfaces));
   vtkNew<vtkIntArray> ids;
   ids->SetName(vtkKalosArrayNames::SurfaceId);
   ids->SetNumberOfTuples(cells);

@@ -44,6 +44,8 @@ void addMaterial(Fingerprint& sum, const Material& m, int bands)
   }
   for (const double x : {m.specular, m.roughness, m.mirror})
     sum.add(x);
+  sum.add(m.glass ? m.glass->normalTransmittance() : 0);
+  sum.add(m.glass ? m.glass->refractiveIndex() : 0);
 }
 
 void addLuminaire(Fingerprint& sum, const Luminaire& l)

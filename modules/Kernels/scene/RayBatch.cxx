@@ -109,5 +109,8 @@ void shadowTogether(const RayScene& scene, std::vector<ShadowRay>& rays)
   }
   if (packet.count > 0)
     shadow(scene, packet, rays);
+  for (std::size_t i = 0; scene.panes() && i < rays.size(); ++i)
+    if (!rays[i].hidden)
+      rays[i].transmittance = scene.transmittance(rays[i].from, rays[i].to);
 }
 }  // namespace kalos

@@ -41,6 +41,7 @@ struct ShadowRay
   RayAnchor from, to;
   bool doublePrecision;
   bool hidden = false;
+  double transmittance = 1;  ///< of the glass between, where it is not hidden
 };
 
 /// Finds which of the rays are hidden, as RayScene::occluded() does.

@@ -60,6 +60,14 @@ struct alignas(64) AnchorPacket
     this->base[i] = static_cast<float>(a.base);
     this->slope[i] = static_cast<float>(a.slope);
   }
+
+  /// Anchor i, lifted, as a point in free space.
+  Vec3 point(int i) const
+  {
+    const RayAnchor a({this->px[i], this->py[i], this->pz[i]}, {this->nx[i], this->ny[i], this->nz[i]},
+                      static_cast<double>(this->base[i]), static_cast<double>(this->slope[i]));
+    return a.lifted();
+  }
 };
 
 /// The segments from one anchor to sixteen, as SegmentPacket::set() makes them, in single precision.

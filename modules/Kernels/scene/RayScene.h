@@ -24,6 +24,8 @@ struct Hit
   double u = 0, v = 0;  ///< barycentric weights of the triangle's second and third corner
 };
 
+class Panes;
+
 class RayScene
 {
 public:
@@ -55,8 +57,16 @@ public:
   /// It may be called a few more times after it returned false.
   void nearby(const Vec3& p, double radius, const std::function<bool(std::uint32_t)>& visit) const;
 
+  /// Panes of glass that stand among the triangles; rays pass through them, see scene/Panes.h.
+  void setPanes(std::shared_ptr<const Panes> panes) { this->Glass = std::move(panes); }
+  const Panes* panes() const { return this->Glass.get(); }
+
+  /// What the panes between two points let through, where occluded() is false; 1 without panes.
+  double transmittance(const RayAnchor& a, const RayAnchor& b) const;
+
 private:
   std::unique_ptr<EmbreeScene> Impl;
+  std::shared_ptr<const Panes> Glass;
 };
 }  // namespace kalos
 

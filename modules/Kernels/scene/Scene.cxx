@@ -51,6 +51,22 @@ void check(const SceneDescription& d)
   for (std::size_t i = 0; i < d.materials.size(); ++i)
     checkMaterial(d.materials[i], d.bands, "material " + std::to_string(i) + ": ");
 }
+
+// One per triangle; empty where there is no glass.
+std::vector<std::shared_ptr<const Glass>> glassOf(const SceneDescription& d)
+{
+  std::vector<std::shared_ptr<const Glass>> glass;
+  if (std::none_of(d.materials.begin(), d.materials.end(), [](const Material& m) { return m.glass != nullptr; }))
+    return glass;
+  for (const std::uint32_t material : d.triangleMaterial)
+    glass.push_back(d.materials[material].glass);
+  return glass;
+}
+
+std::vector<Triangle> opaque(const SceneDescription& d)
+{
+  return collapsed(d.triangles, glassOf(d), false);
+}
 }  // namespace
 
 Vec3 Scene::recentre(SceneDescription& d, double& size)
@@ -80,8 +96,10 @@ Vec3 Scene::recentre(SceneDescription& d, double& size)
 Scene::Scene(SceneDescription description)
     : Data(std::move(description)),
       Origin(recentre(this->Data, this->Size)),
-      Rays(this->Data.points, this->Data.triangles)
+      Rays(this->Data.points, opaque(this->Data))
 {
+  if (const auto glass = glassOf(this->Data); !glass.empty())
+    this->Rays.setPanes(std::make_shared<const Panes>(this->Data.points, this->Data.triangles, glass));
   for (const Material& material : this->Data.materials)
     this->Brdfs.emplace_back(material, this->Data.bands);
   const auto count = static_cast<std::uint32_t>(this->Data.triangles.size());
@@ -137,6 +155,16 @@ RayAnchor Scene::anchorWithin(const Vec3& p, const Vec3& n, double radius) const
 SurfacePoint Scene::trace(const RayAnchor& start, const Vec3& direction) const
 {
   return this->point(this->Rays.intersect(start, direction), direction);
+}
+
+SurfacePoint Scene::pane(const RayAnchor& start, const Vec3& direction, const SurfacePoint& end) const
+{
+  if (!this->Rays.panes())
+    return {};
+  const SurfacePoint met = this->point(this->Rays.panes()->first(start, direction), direction);
+  const bool before = met.valid && (!end.valid || dot(met.position - start.point, direction) <
+                                                      dot(end.position - start.point, direction));
+  return before ? met : SurfacePoint{};
 }
 
 SurfacePoint Scene::point(const Hit& hit, const Vec3& direction) const

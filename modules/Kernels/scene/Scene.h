@@ -13,7 +13,7 @@
 #include "material/Brdf.h"
 #include "scene/CoplanarFaces.h"
 #include "scene/GlossyPlanes.h"
-#include "scene/RayScene.h"
+#include "scene/Panes.h"
 #include "sky/Sky.h"
 
 namespace kalos
@@ -98,6 +98,12 @@ public:
 
   /// First surface point along a ray from a start (see anchor()), or from a point in free space.
   SurfacePoint trace(const RayAnchor& start, const Vec3& direction) const;
+
+  /// First pane of glass along a ray that an opaque surface ends at `end`, or nowhere.
+  SurfacePoint pane(const RayAnchor& start, const Vec3& direction, const SurfacePoint& end) const;
+
+  /// Where a ray goes on behind a pane, and where from it when it is reflected there.
+  RayAnchor behind(const SurfacePoint& pane) const { return this->anchor(pane.triangle, pane.position, -pane.normal); }
 
   /// The surface point that a ray along `direction` has hit.
   SurfacePoint point(const Hit& hit, const Vec3& direction) const;

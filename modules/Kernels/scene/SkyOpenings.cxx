@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "sampling/Warp.h"
-#include "scene/RectangleCover.h"
 
 namespace kalos
 {
@@ -16,6 +15,7 @@ constexpr std::size_t fewestRays = 16;  // to look for openings at all
 constexpr std::size_t compared = 400;   // rays, when faces are placed
 constexpr int mostPlaces = 24;          // of a face that are tried
 constexpr double outside = 1e-4;        // of the scene's size, how far a face lies outside of a surface
+constexpr double enoughCovered = 0.97;  // of the rays
 constexpr int openingsReplicate = 1 << 21;
 }  // namespace
 
@@ -221,39 +221,55 @@ void SkyOpenings::placeFace(int face, const Box& inner, const std::vector<double
 void SkyOpenings::keep(const std::vector<Ray>& rays)
 {
   std::vector<std::array<double, 2>> points[6];
+  std::size_t inside = 0;
   for (const Ray& ray : rays)
   {
     Face face{};
     if (this->encloses(ray.from) && this->exitOf(this->Bounds, this->local(ray.from), this->local(ray.direction), face))
-      points[face.face].push_back({face.u, face.v});
-  }
-  for (int face = 0; face < 6; ++face)
-  {
-    const int k = face / 2, a = (k + 1) % 3, b = (k + 2) % 3;
-    for (const CoverRectangle& r : coverPoints(std::move(points[face])))
     {
-      const double lowU = std::max(r.low[0], this->Bounds[a][0]), highU = std::min(r.high[0], this->Bounds[a][1]);
-      const double lowV = std::max(r.low[1], this->Bounds[b][0]), highV = std::min(r.high[1], this->Bounds[b][1]);
-      if (!(highU > lowU && highV > lowV))
-        continue;
-      Rectangle found;
-      found.face = face;
-      found.corner = this->Bounds[k][face % 2] * this->Axes[k] + lowU * this->Axes[a] + lowV * this->Axes[b];
-      found.u = (highU - lowU) * this->Axes[a];
-      found.v = (highV - lowV) * this->Axes[b];
-      found.outward = face % 2 ? this->Axes[k] : -this->Axes[k];
-      found.area = (highU - lowU) * (highV - lowV);
-      found.rays = static_cast<double>(r.points) / static_cast<double>(rays.size());
-      this->Rectangles.push_back(found);
-      this->Extents.push_back({lowU, highU, lowV, highV});
+      points[face.face].push_back({face.u, face.v});
+      ++inside;
     }
   }
+  std::vector<std::pair<int, CoverRectangle>> found;
+  for (int face = 0; face < 6; ++face)
+    for (const CoverRectangle& r : coverPoints(std::move(points[face])))
+      found.emplace_back(face, r);
+  // The densest first; where few rays pass, sampling costs more than it finds.
+  const auto density = [](const auto& one) { return static_cast<double>(one.second.points) / one.second.area(); };
+  std::sort(found.begin(), found.end(),
+            [&](const auto& one, const auto& other) { return density(one) > density(other); });
+  double covered = 0;
+  for (const auto& [face, r] : found)
+  {
+    const double share = static_cast<double>(r.points) / static_cast<double>(inside);
+    if (covered <= enoughCovered)
+      this->add(face, r, share);
+    covered += share;
+  }
+}
+
+void SkyOpenings::add(int face, const CoverRectangle& r, double share)
+{
+  const int k = face / 2, a = (k + 1) % 3, b = (k + 2) % 3;
+  const double lowU = std::max(r.low[0], this->Bounds[a][0]), highU = std::min(r.high[0], this->Bounds[a][1]);
+  const double lowV = std::max(r.low[1], this->Bounds[b][0]), highV = std::min(r.high[1], this->Bounds[b][1]);
+  if (!(highU > lowU && highV > lowV))
+    return;
+  Rectangle found;
+  found.face = face;
+  found.corner = this->Bounds[k][face % 2] * this->Axes[k] + lowU * this->Axes[a] + lowV * this->Axes[b];
+  found.u = (highU - lowU) * this->Axes[a];
+  found.v = (highV - lowV) * this->Axes[b];
+  found.outward = face % 2 ? this->Axes[k] : -this->Axes[k];
+  found.area = (highU - lowU) * (highV - lowV);
+  found.rays = share;
+  this->Rectangles.push_back(found);
+  this->Extents.push_back({lowU, highU, lowV, highV});
 }
 
 bool SkyOpenings::encloses(const Vec3& p) const
 {
-  if (!this->any() && this->Escaped == 0)
-    return false;
   const Vec3 q = this->local(p);
   const double c[3] = {q.x, q.y, q.z};
   for (int k = 0; k < 3; ++k)
@@ -278,7 +294,7 @@ bool SkyOpenings::covers(std::size_t i, int face, const Vec3& point) const
     return false;
   const int k = face / 2;
   const double u = dot(point, this->Axes[(k + 1) % 3]), v = dot(point, this->Axes[(k + 2) % 3]);
-  const std::array<double, 4>& e = this->Extents[i];
+  const auto& e = this->Extents[i];
   return u >= e[0] && u <= e[1] && v >= e[2] && v <= e[3];
 }
 }  // namespace kalos

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sampling/SampleStream.h"
+#include "scene/RectangleCover.h"
 #include "scene/Scene.h"
 
 namespace kalos
@@ -31,7 +32,7 @@ public:
     Vec3 corner, u, v;
     Vec3 outward;  // unit normal
     double area;   // m2
-    double rays;   // share of the escaping rays
+    double rays;   // share of the rays that escape from inside the box
   };
   const std::vector<Rectangle>& all() const { return this->Rectangles; }
   bool any() const { return !this->Rectangles.empty(); }
@@ -72,6 +73,7 @@ private:
   bool exitOf(const Box& box, const Vec3& p, const Vec3& d, Face& found) const;  // both in the box's axes
   Vec3 local(const Vec3& v) const { return {dot(v, this->Axes[0]), dot(v, this->Axes[1]), dot(v, this->Axes[2])}; }
   void keep(const std::vector<Ray>& rays);
+  void add(int face, const CoverRectangle& r, double share);
 
   Vec3 Axes[3]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   Box Bounds{};

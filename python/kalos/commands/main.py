@@ -6,7 +6,7 @@ import traceback
 
 from kalos import ranks
 from kalos._build import __version__
-from kalos.commands import chart, prepare, schema, solve, study, validate
+from kalos.commands import chart, prepare, schema, solve, study, validate, year
 from kalos.commands.arguments import Parser
 from kalos.errors import FAILED, KalosError
 
@@ -15,7 +15,7 @@ def parser():
     top = Parser(prog="kalos", description="Illuminance and luminance of lit scenes, with an error bar on every value.")
     top.add_argument("--version", action="version", version=f"kalos {__version__}")
     commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    for command in (solve, study, chart, prepare, validate, schema):
+    for command in (solve, study, chart, year, prepare, validate, schema):
         command.add(commands)
     return top
 

@@ -60,6 +60,10 @@ class Options:
         """The same for a camera, which has a checkpoint of its own."""
         return self if self.checkpoint is None else dataclasses.replace(self, checkpoint=f"{self.checkpoint}.{name}")
 
+    def of_patch(self, patch):
+        """The same for a patch of the sky, with random numbers of its own."""
+        return dataclasses.replace(self, seed=self.seed + 1000003 * (patch + 1), checkpoint=None)
+
     def apply(self, estimator):
         """Sets them on vtkKalosIlluminance or vtkKalosLuminanceImage."""
         estimator.SetMethod(METHODS[self.method])

@@ -6,28 +6,31 @@ TARGET, MINIMUM = 0.5, 0.95  # shares of the area that must reach the target and
 LEVELS = {"minimum": (300, 100), "medium": (500, 300), "high": (750, 500)}  # lx, target and minimum target of EN 17037, table A.1
 
 
-def daylight_figures(factors, weights, median_outdoors=None):
-    """Of daylight factors, %, at receivers of these weights: mean, median, and the factor reached on half of the area (d_t) and on 95 %
-    of it (d_tm). With the median diffuse illuminance outdoors, lx, the share of the area that reaches each level of EN 17037."""
-    factors, weights = np.asarray(factors, float), np.asarray(weights, float)
+def daylight_figures(factors, illuminance, direct, weights):
+    """Of daylight factors, %, and illuminances, lx, all and direct, at receivers of these weights.
+
+    The means of the factors, of what comes straight from sky and ground, and of what surfaces reflect; the median; the factor
+    reached on half of the area (d_t) and on 95 % of it (d_tm); and the shares of the area that reach the levels of EN 17037
+    under this very sky, whose horizontal illuminance should be the median of the site for that.
+    """
     if not len(factors):
-        return {"mean": None, "median": None, "d_t": None, "d_tm": None}
-    found = {"mean": float(np.average(factors, weights=weights)), "median": reached(factors, weights, 0.5),
-             "d_t": reached(factors, weights, TARGET), "d_tm": reached(factors, weights, MINIMUM)}
-    if median_outdoors:
-        found["en_17037"] = {name: {"target": share(factors, weights, 100 * target / median_outdoors),
-                                    "minimum_target": share(factors, weights, 100 * least / median_outdoors)}
-                             for name, (target, least) in LEVELS.items()}
-    return found
+        return {key: None for key in ("mean", "mean_direct", "mean_reflected", "median", "d_t", "d_tm", "en_17037")}
+    factors, weights = np.asarray(factors, float), np.asarray(weights, float)
+    straight = np.divide(factors * direct, illuminance, out=np.zeros_like(factors), where=illuminance > 0)
+    return {"mean": float(np.average(factors, weights=weights)), "mean_direct": float(np.average(straight, weights=weights)),
+            "mean_reflected": float(np.average(factors - straight, weights=weights)), "median": reached(factors, weights, 0.5),
+            "d_t": reached(factors, weights, TARGET), "d_tm": reached(factors, weights, MINIMUM),
+            "en_17037": {name: {"target": share(illuminance, weights, target), "minimum_target": share(illuminance, weights, least)}
+                         for name, (target, least) in LEVELS.items()}}
 
 
-def reached(factors, weights, area):
+def reached(values, weights, area):
     """The largest value that this share of the area reaches or exceeds."""
-    order = np.argsort(-factors, kind="stable")
+    order = np.argsort(-values, kind="stable")
     grown = np.cumsum(weights[order]) / weights.sum()
-    return float(factors[order][np.searchsorted(grown, area * (1 - 1e-12))])
+    return float(values[order][np.searchsorted(grown, area * (1 - 1e-12))])
 
 
-def share(factors, weights, least):
-    """Share of the area where the factor is at least this."""
-    return float(weights[factors >= least].sum() / weights.sum())
+def share(values, weights, least):
+    """Share of the area where the value is at least this."""
+    return float(weights[values >= least].sum() / weights.sum())

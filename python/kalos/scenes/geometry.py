@@ -23,14 +23,16 @@ BOX = np.array([(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6
 
 
 def surface(vertices: ArrayLike, faces: ArrayLike, reflectance: ArrayLike, *, exitance: ArrayLike = 0.0,
-            specular: ArrayLike = 0.0, roughness: ArrayLike = 1.0, mirror: ArrayLike = 0.0) -> vtkPolyData:
+            specular: ArrayLike = 0.0, roughness: ArrayLike = 1.0, mirror: ArrayLike = 0.0,
+            transmittance: ArrayLike = 0.0, refractive_index: ArrayLike = 1.52) -> vtkPolyData:
     """A mesh with its materials.
 
     vertices: (n, 3), m. faces: (m, k) indices of the k corners of each polygon; its normal is to the viewer who sees them
     counter-clockwise. reflectance: diffuse, [0, 1); a number for all faces, (m,) one a face, (m, b) or (1, b) with b bands
     (3: linear Rec. 709 red, green, blue). exitance: lm/m2 emitted on the side of the normal, shaped alike. specular:
     normal-incidence reflectance of a GGX lobe, [0, 1). roughness: of that lobe, (0, 1]. mirror: reflectance of a perfect
-    mirror, [0, 1); these three a number or (m,). Raises ValueError; what only the sum of several shows, illuminance() does.
+    mirror, [0, 1). transmittance: of a pane of glass at normal incidence, (0, 1]; 0 is opaque. refractive_index: of such a pane,
+    1 to 4; these five a number or (m,). Raises ValueError; what only the sum of several shows, illuminance() does.
 
     >>> floor = surface([[0, 0, 0], [4, 0, 0], [4, 3, 0], [0, 3, 0]], [[0, 1, 2, 3]], 0.3)
     >>> floor.GetNumberOfCells()
@@ -51,8 +53,10 @@ def surface(vertices: ArrayLike, faces: ArrayLike, reflectance: ArrayLike, *, ex
             (arrays.EXITANCE, exitance, 0, np.inf, "lm/m2 >= 0", bands),
             (arrays.SPECULAR, specular, 0, 1, "numbers in [0, 1)", bands[:2]),
             (arrays.ROUGHNESS, roughness, np.nextafter(0, 1), np.nextafter(1, 2), "numbers in (0, 1]", bands[:2]),
-            (arrays.MIRROR, mirror, 0, 1, "numbers in [0, 1)", bands[:2])):
-        key = name.lower()
+            (arrays.MIRROR, mirror, 0, 1, "numbers in [0, 1)", bands[:2]),
+            (arrays.TRANSMITTANCE, transmittance, 0, np.nextafter(1, 2), "numbers in [0, 1]", bands[:2]),
+            (arrays.REFRACTIVE_INDEX, refractive_index, 1, np.nextafter(4, 5), "numbers from 1 to 4", bands[:2])):
+        key = "refractive_index" if name == arrays.REFRACTIVE_INDEX else name.lower()
         given = within(key, numbers(key, value, shapes), low, below, expected)
         if given.ndim or given != MATERIAL[name]:
             put(data, name, of_faces(given, key, count))

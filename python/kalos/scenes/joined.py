@@ -54,7 +54,18 @@ def joined(name, pieces, kind, defaults):
     tables.attach(append.GetOutput())
     if kind == vtkDataObject.POINT:
         attach_texts(pieces, append.GetOutput())
+        attach_sky(pieces, append.GetOutput())
     return append.GetOutput()
+
+
+def attach_sky(pieces, luminaires):
+    """The sky that one of the pieces has."""
+    skies = [piece.GetFieldData() for piece in pieces if piece.GetFieldData().HasArray(arrays.SKY)]
+    if len(skies) > 1:
+        raise InputError(f"luminaires: {len(skies)} of them are skies, expected one")
+    for key in (arrays.SKY, arrays.SKY_MAP):
+        if skies and skies[0].HasArray(key):
+            luminaires.GetFieldData().AddArray(skies[0].GetArray(key))
 
 
 def filled(where, key, array, default, count, width):

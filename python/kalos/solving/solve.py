@@ -148,7 +148,8 @@ def add_daylight(result, receivers, everywhere):
     for one in receivers:
         if one.daylight_factor is not None:
             chosen = one.valid | everywhere
-            result["receivers"][one.name]["daylight"] = daylight_figures(one.daylight_factor[chosen], one.weights[chosen])
+            result["receivers"][one.name]["daylight"] = daylight_figures(one.daylight_factor[chosen], one.illuminance[chosen], one.direct[chosen],
+                                                                               one.weights[chosen])
 
 
 def estimate(reader, options, prepared):

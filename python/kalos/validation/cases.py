@@ -2,12 +2,12 @@
 """Scenes of data/ whose illuminance is known in closed form."""
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Callable
+from typing import Callable, Optional, Tuple
 
 import numpy as np
 
 from kalos.core.options import Options
-from kalos.validation import gloss, truths
+from kalos.validation import gloss, skies, truths
 
 PACKAGE = Path(__file__).resolve().parents[1]
 DATA = PACKAGE.parents[1] / "data"  # of the source tree
@@ -25,7 +25,8 @@ class Case:
     trajectories: int
     precision: float  # largest relative standard error that still tests something
     cell: float = None  # m, half side of the cells of method direct; where None its means over cells are no points
-    methods: tuple = None  # that find the light of narrow lobes within any reasonable time; None: all
+    sky: Optional[int] = None  # type of the CIE that takes the place of the scene's
+    methods: Optional[Tuple[str, ...]] = None  # those that are examined, such as find narrow lobes; None: all
     near: float = None  # m, delta and epsilon of the methods that average or clamp, where the automatic ones are too wide
 
     def takes(self, method):
@@ -56,6 +57,33 @@ def with_normals(truth):
 
 
 GLOSS = ("compensated", "gathered")
+
+
+DAYLIGHT = {"5-9-1": ((1.5, 1.5, 3), (1, 0, 0), (0, 1, 0)), "5-9-4": ((0, 0, 3), (4, 0, 0), (0, 4, 0)),
+            "5-11-2": ((1, 4, 1), (2, 0, 0), (0, 0, 1)), "5-11-4": ((0, 4, 0), (4, 0, 0), (0, 0, 3))}  # openings: corner and sides, m
+GLAZED = {"5-9-1": "5-10-1", "5-9-4": "5-10-4", "5-11-2": "5-12-2", "5-11-4": "5-12-4"}
+ALL_METHODS = (1, 13)  # skies that every method is examined under; the others differ for none of them
+
+
+def daylight_case(scene, opening, kind, glass):
+    """An opening of CIE 171 under one of the CIE's skies of 10 000 lx."""
+
+    def truth(points, normals):
+        shares = skies.through(kind, points, normals, *opening, transmittance=skies.pane(0.88, 1.52) if glass else None)
+        return 10000 * shares.sum(axis=0)
+
+    name = f"CIE 171 {scene.replace('-', '.', 1).replace('-', ', ')} m, sky {kind}"
+    return Case(name, f"cie171/{scene}.json", truth, 65536, 3e-3, sky=kind, methods=None if kind in ALL_METHODS else ("compensated",))
+
+
+def daylight_cases():
+    for scene, opening in DAYLIGHT.items():
+        for kind in skies.COEFFICIENTS:
+            yield daylight_case(scene, opening, kind, False)
+        for kind in (5, 13):
+            yield daylight_case(GLAZED[scene], opening, kind, True)
+
+
 CASES = [
     Case("white furnace, boxes", "furnace/furnace.json", even(truths.white_furnace(0.6, 100)), 300000, 0.05, cell=0.25),
     sobolev_case(0.5, 0.5, 0.5),
@@ -73,4 +101,5 @@ CASES = [
          0.01, methods=GLOSS),
     Case("furnace, glossy floor", "gloss/furnace.json", with_normals(gloss.furnace_floor(1000, (4, 3, 2.5), 0.4, 0.3, 0.3)), 20000,
          0.01, methods=GLOSS),
+    *daylight_cases(),
 ]

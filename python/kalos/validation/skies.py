@@ -38,23 +38,31 @@ def horizontal(kind):
 
 
 def through(kind, points, normals, corner, u, v, transmittance=None, cells=240):
-    """Sky component and externally reflected component, shares of the horizontal illuminance, (n,), of a rectangular opening."""
+    """Sky component and externally reflected component, shares of the horizontal illuminance, (2, n), of a rectangular opening
+    whose side u is level. It is cut where a point sees the horizon."""
     corner, u, v = (np.asarray(one, float) for one in (corner, u, v))
-    s, ds = gauss(0, 1, cells)
-    places = (corner + s[:, None, None] * u + s[None, :, None] * v).reshape(-1, 3)
-    area, across = np.outer(ds, ds).ravel() * np.linalg.norm(np.cross(u, v)), np.cross(u, v) / np.linalg.norm(np.cross(u, v))
-    scale, found = horizontal(kind), []
+    across, scale, found = np.cross(u, v) / np.linalg.norm(np.cross(u, v)), horizontal(kind), []
     for point, normal in zip(points, normals):
-        way = places - point
-        squared = np.einsum("ij,ij->i", way, way)
-        way /= np.sqrt(squared)[:, None]
-        facing = np.abs(way @ across)
-        weight = np.maximum(way @ normal, 0) * facing / squared * area
-        if transmittance is not None:
-            weight = weight * transmittance(facing)
-        above = way[:, 2] > 0
-        found.append((np.sum((weight * relative_luminance(kind, way))[above]) / scale, GROUND / np.pi * np.sum(weight[~above])))
+        horizon = np.clip((point[2] - corner[2]) / v[2], 0, 1) if v[2] else 0.0
+        shares = np.zeros(2)
+        for low, high in ((0.0, horizon), (horizon, 1.0)):
+            if high > low:
+                shares += panel(kind, point, normal, corner + low * v, u, (high - low) * v, across, transmittance, cells, scale)
+        found.append(shares)
     return np.array(found).T
+
+
+def panel(kind, point, normal, corner, u, v, across, transmittance, cells, scale):
+    s, ds = gauss(0, 1, cells)
+    way = (corner + s[:, None, None] * u + s[None, :, None] * v).reshape(-1, 3) - point
+    squared = np.einsum("ij,ij->i", way, way)
+    way /= np.sqrt(squared)[:, None]
+    facing = np.abs(way @ across)
+    weight = np.maximum(way @ normal, 0) * facing / squared * np.outer(ds, ds).ravel() * np.linalg.norm(np.cross(u, v))
+    if transmittance is not None:
+        weight = weight * transmittance(facing)
+    above = way[:, 2] > 0
+    return np.sum((weight * relative_luminance(kind, way))[above]) / scale, GROUND / np.pi * np.sum(weight[~above])
 
 
 def pane(normal_transmittance, index):

@@ -10,6 +10,7 @@ from kalos.errors import KalosError, update
 from kalos.estimation.filters import illuminance_filter
 from kalos.results.receivers import from_dataset
 from kalos.scenes.reading import read_scene, receiver_names
+from kalos.scenes.scene import Scene, scene_file
 from kalos.validation.cases import CASES, DATA
 from kalos.validation.verdicts import FALSE_ALARM, REPLICATES, judge
 
@@ -34,7 +35,12 @@ def examine(case, options, data=DATA):
 
 def examine_once(case, options, data=DATA):
     """Solves a case and judges all its receivers together."""
-    sets = solve_receivers(Path(data) / case.scene, options)
+    scene = Path(data) / case.scene
+    if case.sky:
+        scene = Scene.read(scene)
+        scene.sky["cie"] = case.sky
+    with scene_file(scene) as path:
+        sets = solve_receivers(path, options)
     truth = np.concatenate([case.truth(r.points, r.normals) for r in sets])
     estimate = np.concatenate([r.illuminance for r in sets])
     error = np.concatenate([r.standard_error for r in sets])

@@ -54,6 +54,13 @@ double DirectLight::pointIlluminance(const Luminaire& luminaire, const Sensor& s
   return intensity(luminaire, (-1 / d) * toLamp) * cosine / (d2 * d);
 }
 
+double DirectLight::visibility(const RayAnchor& a, const RayAnchor& b) const
+{
+  if (!this->Shadows)
+    return 1;
+  return this->Scene_.rays().occluded(a, b) ? 0 : this->Scene_.rays().transmittance(a, b);
+}
+
 bool DirectLight::shinesAt(const LuminousArea& area, const Sensor& sensor) const
 {
   if (area.opening && !isNear(*area.opening, sensor.position))
@@ -77,8 +84,8 @@ void DirectLight::prepareView(const Sensor& sensor, View& view) const
   for (std::size_t i = 0; i < this->Scene_.data().luminaires.size(); ++i)
   {
     const double e = this->pointIlluminance(this->Scene_.data().luminaires[i], sensor);
-    if (e > 0 && !(this->Shadows && this->Scene_.rays().occluded(sensor.anchor, this->Scene_.luminaireAnchor(i))))
-      pointSum += e;
+    if (e > 0)
+      pointSum += e * this->visibility(sensor.anchor, this->Scene_.luminaireAnchor(i));
   }
   view.points = uniformBands(pointSum);
   double sum = 0;
@@ -119,8 +126,7 @@ double DirectLight::sampleAreas(const Sensor& sensor, const View& view, SampleSt
   const Bands exitance = area.exitanceTowards(sample.direction);
   for (int b = 0; b < this->Scene_.bands(); ++b)
     w[b] = exitance[b] / pi * dot(sample.direction, sensor.normal) * sample.solidAngle / share;
-  const bool visible = !this->Shadows || !this->Scene_.rays().occluded(sensor.anchor, sample.target);
-  return visible - (area.opening ? 0 : view.visibleShare);
+  return this->visibility(sensor.anchor, sample.target) - (area.opening ? 0 : view.visibleShare);
 }
 
 void DirectLight::weigh(const Sensor& sensor, LuminaireWeights& weights) const
@@ -210,11 +216,11 @@ Bands DirectLight::sample(const Sensor& sensor, SampleStream& random) const
 {
   Sample sample;
   Bands result{};
-  if (!this->sampleUnshadowed(sensor, random, sample, result) ||
-      (this->Shadows && this->Scene_.rays().occluded(sensor.anchor, sample.target)))
+  if (!this->sampleUnshadowed(sensor, random, sample, result))
     return result;
+  const double visible = this->visibility(sensor.anchor, sample.target);
   for (int b = 0; b < this->Scene_.bands(); ++b)
-    result[b] += sample.light[b];
+    result[b] += visible * sample.light[b];
   return result;
 }
 
@@ -238,8 +244,13 @@ void DirectLight::sample(const Sensor* sensors, int count, SampleStream& random,
     return;
   const std::uint32_t hidden = this->Scene_.rays().occluded(packet, rays);
   for (int k = 0; k < rays; ++k)
-    if (hidden >> k & 1)
-      samples[lit[k]].light = {};
+  {
+    Sample& found = samples[lit[k]];
+    const double visible =
+        hidden >> k & 1 ? 0 : this->Scene_.rays().transmittance(sensors[lit[k]].anchor, found.target);
+    for (int b = 0; b < this->Scene_.bands() && visible < 1; ++b)
+      found.light[b] *= visible;
+  }
 }
 
 void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const LuminaireWeights& weights,
@@ -259,12 +270,13 @@ void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const L
       continue;
     const bool behind = dot(ray.direction, area.normal) >= 0;
     const Vec3 met = sensor.position + distance * ray.direction;
-    if (this->Shadows && this->Scene_.rays().occluded(sensor.anchor, area.anchorAt(met, behind)))
+    const double visible = this->visibility(sensor.anchor, area.anchorAt(met, behind));
+    if (!(visible > 0))
       continue;
     const double density = share / area.solidAngle(sensor.position) + ray.density;
     const Bands exitance = area.exitanceTowards(ray.direction);
     for (int b = 0; b < this->Scene_.bands(); ++b)
-      sum[b] += weight[b] * exitance[b] / pi * dot(ray.direction, sensor.normal) / density;
+      sum[b] += visible * weight[b] * exitance[b] / pi * dot(ray.direction, sensor.normal) / density;
   }
 }
 

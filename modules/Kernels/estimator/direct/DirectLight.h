@@ -75,6 +75,7 @@ public:
 
 private:
   double pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const;  // unshadowed, lx; 0 for areas
+  double visibility(const RayAnchor& a, const RayAnchor& b) const;          // 0 to 1, with what glass lets through
   bool shinesAt(const LuminousArea& area, const Sensor& sensor) const;      // as an area, from the side that is lit
   double formFactor(const LuminousArea& area, const Sensor& sensor) const;  // unshadowed, 0 where it does not shine
   void weigh(const Sensor& sensor, LuminaireWeights& weights) const;        // of luminaires, by which sample() draws

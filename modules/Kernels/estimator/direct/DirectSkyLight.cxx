@@ -49,14 +49,13 @@ void DirectLight::sampleSkyByLobe(const Sensor& sensor, SampleStream& random, co
 {
   const double u0 = random.next(), u1 = random.next(), u2 = random.next();
   const BrdfSample ray = sensor.brdf->sample(sensor.normal, sensor.outgoing, uniformBands(1), u0, u1, u2);
-  if (!ray.alive || ray.mirror ||
-      (this->Shadows &&
-       this->Scene_.rays().occluded(sensor.anchor, this->FromSky.target(sensor.position, ray.direction))))
+  if (!ray.alive || ray.mirror)
     return;
+  const double visible = this->visibility(sensor.anchor, this->FromSky.target(sensor.position, ray.direction));
   const Bands weight = response(sensor, ray.direction, this->Scene_.bands());
   const double density = this->FromSky.density(sensor, mixture, ray.direction) + ray.density;
   const double light =
-      this->FromSky.sky().luminanceWithSun(ray.direction) * dot(ray.direction, sensor.normal) / density;
+      visible * this->FromSky.sky().luminanceWithSun(ray.direction) * dot(ray.direction, sensor.normal) / density;
   for (int b = 0; b < this->Scene_.bands(); ++b)
     sum[b] += weight[b] * light;
 }

@@ -35,7 +35,8 @@ void MirrorImages::findPlanes()
 {
   for (std::uint32_t t = 0; t < this->Scene_.data().triangles.size(); ++t)
   {
-    const double reflectance = this->Scene_.material(t).mirror;
+    const Material& material = this->Scene_.material(t);
+    const double reflectance = material.glass ? material.glass->reflectance(1) : material.mirror;
     if (!(reflectance > 0))
       continue;
     const Vec3 p = this->Scene_.corner(t, 0), n = this->Scene_.normal(t);
@@ -104,7 +105,8 @@ double MirrorImages::follow(const Image& image, const Sensor& sensor) const
     const std::uint32_t* triangle = this->triangleAt(plane, q, q - from);
     if (!triangle)
       return 0;
-    weight *= this->Scene_.material(*triangle).mirror;
+    const Material& material = this->Scene_.material(*triangle);
+    weight *= material.glass ? material.glass->reflectance(dot(normalized(q - from), plane.normal)) : material.mirror;
     ends.push_back(this->Scene_.anchor(*triangle, q, height > 0 ? plane.normal : -plane.normal));
     from = q;
     if (i->parent < 0)
@@ -114,8 +116,9 @@ double MirrorImages::follow(const Image& image, const Sensor& sensor) const
   weight *= intensity(luminaire, normalized(from - luminaire.position));
   ends.push_back(this->Scene_.luminaireAnchor(image.luminaire));
   for (std::size_t k = 0; weight > 0 && k + 1 < ends.size(); ++k)
-    if (this->Scene_.rays().occluded(ends[k], ends[k + 1]))
-      return 0;
+    weight *= this->Scene_.rays().occluded(ends[k], ends[k + 1])
+                  ? 0
+                  : this->Scene_.rays().transmittance(ends[k], ends[k + 1]);
   return weight;
 }
 

@@ -40,7 +40,7 @@ private:
   {
     Vec3 point, normal;
     std::vector<std::uint32_t> triangles;
-    double reflectance;  // the largest of them
+    double reflectance;  // the largest of them; of glass, head on
   };
   struct Image
   {

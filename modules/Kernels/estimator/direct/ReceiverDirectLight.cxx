@@ -29,7 +29,7 @@ std::vector<Vec3> inScene(const Scene& scene, const std::vector<Vec3>& points)
 SceneNeeds findNeeds(const Scene& scene, const Receivers& receivers, const Settings& settings)
 {
   SceneNeeds needs = kalos::findNeeds(scene, inScene(scene, receivers.points));
-  needs.unoccluded = needs.unoccluded && settings.uses(Technique::Convex) && !scene.data().sky;
+  needs.unoccluded = needs.unoccluded && settings.uses(Technique::Convex) && !scene.data().sky && !scene.rays().panes();
   return needs;
 }
 }  // namespace

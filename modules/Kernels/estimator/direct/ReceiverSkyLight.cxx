@@ -57,18 +57,18 @@ double ReceiverSkyLight::prepare(std::size_t r, const Sensor& sensor)
   view.seesSun = sky.hasSun() && height > -edge;
   const bool whole = height > edge && sky.sun().z > edge;
   const Walks walks = this->Drawn.ofReceiver(r);
-  int sunSeen = 0, skySeen = 0;
+  double sunSeen = 0, skySeen = 0;
   for (int s = 0; s < pilotSamples; ++s)
   {
     SampleStream random = walks.stream(pilotReplicate, Purpose::Sky, s);
     const double u1 = random.next(), u2 = random.next();
     const Vec3 direction = Frame(sensor.normal).toWorld(cosineHemisphere(u1, u2));
-    skySeen += this->isSeen(sensor, direction);
+    skySeen += this->visibility(sensor, direction);
     double w;
     if (view.seesSun)
-      sunSeen += this->sampleSun(sensor, random.next(), random.next(), w) > 0;
+      sunSeen += this->sampleSun(sensor, random.next(), random.next(), w);
   }
-  const double share = static_cast<double>(skySeen) / pilotSamples;
+  const double share = skySeen / pilotSamples;
   if (share > leastVisible)
   {
     view.mixture.opening = 0;  // it is open nearly everywhere
@@ -82,7 +82,7 @@ double ReceiverSkyLight::prepare(std::size_t r, const Sensor& sensor)
   if (this->ClosedForms && view.seesSun && whole)
   {
     view.sun = sky.sunIlluminance() * height;
-    view.visibleSun = static_cast<double>(sunSeen) / pilotSamples;
+    view.visibleSun = sunSeen / pilotSamples;
   }
   view.steady = view.visibleSky == 1 && (!view.seesSun || view.visibleSun == 0 || view.visibleSun == 1);
   return this->fixed(r);
@@ -97,12 +97,14 @@ double ReceiverSkyLight::sampleSky(const View& view, const Sensor& sensor, Sampl
   if (!this->Light.sample(sensor, view.mixture, u0, u1, u2, direction, density))
     return 0;
   w = this->Light.sky().luminance(direction) * dot(direction, sensor.normal) / density;
-  return w > 0 && this->isSeen(sensor, direction);
+  return w > 0 ? this->visibility(sensor, direction) : 0;
 }
 
-bool ReceiverSkyLight::isSeen(const Sensor& sensor, const Vec3& direction) const
+double ReceiverSkyLight::visibility(const Sensor& sensor, const Vec3& direction) const
 {
-  return !this->Scene_.rays().occluded(sensor.anchor, this->Light.target(sensor.position, direction));
+  const RayAnchor target = this->Light.target(sensor.position, direction);
+  const RayScene& rays = this->Scene_.rays();
+  return rays.occluded(sensor.anchor, target) ? 0 : rays.transmittance(sensor.anchor, target);
 }
 
 double ReceiverSkyLight::sampleSun(const Sensor& sensor, double u1, double u2, double& w) const
@@ -113,7 +115,7 @@ double ReceiverSkyLight::sampleSun(const Sensor& sensor, double u1, double u2, d
   if (!(cosine > 0) || !(direction.z > 0))
     return 0;
   w = this->Light.sky().sunLuminance() * Sky::sunSolidAngle * cosine;
-  return this->isSeen(sensor, direction);
+  return this->visibility(sensor, direction);
 }
 
 double ReceiverSkyLight::sample(std::size_t r, const Sensor& sensor, SampleStream& random) const

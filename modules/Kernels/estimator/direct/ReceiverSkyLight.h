@@ -44,7 +44,7 @@ private:
     bool steady = false;
     SkyLight::Mixture mixture;
   };
-  bool isSeen(const Sensor& sensor, const Vec3& direction) const;
+  double visibility(const Sensor& sensor, const Vec3& direction) const;  // 0 to 1, with what glass lets through
   double sampleSky(const View& view, const Sensor& sensor, SampleStream& random, double& w) const;
   double sampleSun(const Sensor& sensor, double u1, double u2, double& w) const;
 

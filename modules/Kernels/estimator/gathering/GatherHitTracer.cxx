@@ -10,6 +10,7 @@ namespace kalos
 namespace
 {
 constexpr int width = SegmentPacket::width;
+constexpr float infinity = std::numeric_limits<float>::infinity();
 
 constexpr WavefrontGather::Start wholeLight(bool seesEmission, bool doublePrecision)
 {
@@ -115,6 +116,15 @@ bool GatherHitTracer::locateHit(const Sensor& sensor, const SegmentPacket& packe
   return true;
 }
 
+bool GatherHitTracer::meetsGlass(const Sensor& sensor, const Vec3& direction, float distance) const
+{
+  const Scene& scene = this->Rays.scene();
+  if (!scene.rays().panes())
+    return false;
+  const SurfacePoint pane = scene.pane(sensor.anchor, direction, {});
+  return pane.valid && length(pane.position - sensor.position) < static_cast<double>(distance);
+}
+
 void GatherHitTracer::tracePacket(RayPacketBuffer& buffer, const ReceiverGroup& group, int each,
                                   const GatherRound& round, GatherHits& gathered, ReceiverRays& unshared) const
 {
@@ -130,17 +140,19 @@ void GatherHitTracer::tracePacket(RayPacketBuffer& buffer, const ReceiverGroup& 
     const Sensor& sensor = this->Direct.sensors()[r];
     SurfaceHit hit;
     float distance;
-    if (!this->locateHit(sensor, packet, found, i, hit, distance))
+    const Vec3 direction{packet.dx[i], packet.dy[i], packet.dz[i]};
+    const bool ends = this->locateHit(sensor, packet, found, i, hit, distance);
+    const bool glass = this->meetsGlass(sensor, direction, ends ? distance : infinity);
+    if (!ends && !glass)
       continue;
     hit.finder = static_cast<std::uint8_t>(buffer.finder[i]);
-    const std::uint32_t triangle = hit.side / 2;
-    if (scene.brdf(triangle).isLambertian())
+    const std::uint32_t triangle = ends ? hit.side / 2 : 0;
+    if (!glass && scene.brdf(triangle).isLambertian())
     {
       hit.cell = cellKey(this->Faces[triangle], hit, distance, round.cellShare);
       gathered.hits.push_back(hit);
       continue;
     }
-    const Vec3 direction{packet.dx[i], packet.dy[i], packet.dz[i]};
     const Walks walks{this->Settings_.seed, Sampling::Independent};
     unshared.follow(r, each, sensor, direction, scene.trace(sensor.anchor, direction),
                     wholeLight(!this->Direct.exactMeshes(r), false),

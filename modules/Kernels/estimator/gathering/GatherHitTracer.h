@@ -47,6 +47,7 @@ private:
   void tracePacket(RayPacketBuffer& buffer, const ReceiverGroup& group, int each, const GatherRound& round,
                    GatherHits& gathered, ReceiverRays& unshared) const;
   // Finds the hit of ray i of a packet and its distance; false when the ray leaves the scene.
+  bool meetsGlass(const Sensor& sensor, const Vec3& direction, float distance) const;
   bool locateHit(const Sensor& sensor, const SegmentPacket& packet, const HitPacket& found, int i, SurfaceHit& hit,
                  float& distance) const;
 

@@ -57,6 +57,10 @@ ReceiverGroup::Shares ReceiverGroup::share(const Sensor& y, int finder, bool nea
     }
   if (rays && count > 0)
     hidden = rays->occluded(packet, count);
+  // Rays that meet glass are not shared.
+  for (int i = 0; rays && rays->panes() && i < count; ++i)
+    if (rays->panes()->anyBetween(y.anchor, this->At.point(lane[i])))
+      hidden |= 1u << i;
   float sum = g[finder];
   for (int i = 0; i < count; ++i)
     if (!(hidden >> i & 1))

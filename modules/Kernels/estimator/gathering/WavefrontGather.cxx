@@ -49,7 +49,7 @@ std::size_t WavefrontGather::follow(const Sensor& sensor, const Vec3& direction,
 {
   const std::size_t i = this->add(sensor, start, random, true);
   this->Paths[i].sampled = {direction, dot(direction, sensor.normal) / pi, false, keptLobeShare(sensor, direction)};
-  if (this->advance(i, y))
+  if (this->advance(i, this->passPanes(i, y)))
     this->Active.push_back(i);
   return i;
 }
@@ -88,7 +88,8 @@ void WavefrontGather::run()
       return true;
     });
     traceTogether(scene, rays);
-    keepThose([&](std::size_t k) { return this->advance(this->Active[k], rays[k].end); });
+    keepThose(
+        [&](std::size_t k) { return this->advance(this->Active[k], this->passPanes(this->Active[k], rays[k].end)); });
     this->addSeen();
   }
   this->addSeen();  // of rays that were given
@@ -319,8 +320,9 @@ void WavefrontGather::addSeen()
     if (this->Shadows[k].hidden)
       continue;
     for (std::size_t b = 0; b < this->Count; ++b)
-      this->found(this->PendingPath[k])[b] += this->PendingContributions[k * this->Count + b];
-    this->Picked[this->PendingPath[k]].seen += this->PendingPick[k];
+      this->found(this->PendingPath[k])[b] +=
+          this->Shadows[k].transmittance * this->PendingContributions[k * this->Count + b];
+    this->Picked[this->PendingPath[k]].seen += this->Shadows[k].transmittance * this->PendingPick[k];
   }
   this->Shadows.clear();
   this->PendingContributions.clear();

@@ -7,6 +7,7 @@
 #define kalos_estimator_gathering_WavefrontGather_h
 
 #include "estimator/gathering/GatherContext.h"
+#include "estimator/kernel/PickCount.h"
 #include "scene/RayBatch.h"
 
 namespace kalos
@@ -84,6 +85,7 @@ private:
   };
   std::size_t add(const Sensor& sensor, const Start& start, const SampleStream& random, bool first);
   bool draw(PathState& path) const;
+  SurfacePoint passPanes(std::size_t i, SurfacePoint y);
   bool advance(std::size_t i, const SurfacePoint& y);
   void addEmission(std::size_t i, const SurfacePoint& y, double kernel);
   bool survives(PathState& path) const;

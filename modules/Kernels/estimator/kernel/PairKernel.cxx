@@ -135,7 +135,15 @@ void keepVisible(const RayScene& rays, const VertexSet& v, const Sensor& sensor,
       block.plain[kept] = block.plain[first + i];
       if (!block.factor.empty())
         block.factor[kept] = block.factor[first + i];
-      kept += !(hidden >> i & 1);
+      if (hidden >> i & 1)
+        continue;
+      if (rays.panes())
+      {
+        const double through = rays.transmittance(sensor.anchor, v.anchor(static_cast<std::size_t>(block.index[kept])));
+        block.kernel[kept] *= static_cast<float>(through);
+        block.plain[kept] *= static_cast<float>(through);
+      }
+      ++kept;
     }
   }
   block.count = kept;

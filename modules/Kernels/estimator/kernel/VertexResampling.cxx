@@ -142,7 +142,8 @@ double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block
     if (hidden >> k & 1)
       continue;
     const int i = picks.index[k], j = block.index[i];
-    const double weight = picks.times[k] * total / shadows.picks / static_cast<double>(luminous[i]) *
+    const double through = shadows.rays->transmittance(sensor.anchor, v.anchor(static_cast<std::size_t>(j)));
+    const double weight = through * picks.times[k] * total / shadows.picks / static_cast<double>(luminous[i]) *
                           static_cast<double>(block.kernel[i]);
     for (std::size_t b = 0; b < v.flux.size(); ++b)
       sum[b] += weight * static_cast<double>(v.flux[b][j]) * block.factor[i][b];
@@ -243,7 +244,8 @@ double addResampledScores(const VertexSet& v, std::size_t begin, int count, cons
       continue;
     // total/picks is the luminous score of a pick; its bands are those of its vertex.
     const auto j = static_cast<std::size_t>(vertices[k]);
-    const double weight = picks.times[k] * total / shadows.picks / static_cast<double>(v.luminous[j]);
+    const double through = shadows.rays->transmittance(sensor.anchor, v.anchor(j));
+    const double weight = through * picks.times[k] * total / shadows.picks / static_cast<double>(v.luminous[j]);
     for (std::size_t b = 0; b < v.flux.size(); ++b)
       sum[b] += weight * static_cast<double>(v.flux[b][j]);
   }

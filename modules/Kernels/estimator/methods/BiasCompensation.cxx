@@ -39,8 +39,9 @@ constexpr double rayWorth = 4;
 bool isDiffuse(const Scene& scene)
 {
   const auto& materials = scene.data().materials;
-  return std::all_of(materials.begin(), materials.end(),
-                     [](const Material& m) { return m.specular == 0 && m.mirror == 0; });
+  return std::all_of(materials.begin(), materials.end(), [](const Material& m) {
+    return m.specular == 0 && m.mirror == 0 && !(m.glass && m.glass->reflects());
+  });
 }
 }  // namespace
 

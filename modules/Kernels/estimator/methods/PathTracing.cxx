@@ -12,7 +12,7 @@ constexpr double noVertices = std::numeric_limits<double>::infinity();  // gathe
 
 PathTracing::PathTracing(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Settings_(settings),
-      Source(scene),
+      Source(scene, settings.openings),
       Direct(scene, receivers, settings, true),
       Rays(scene, this->Source, settings, this->Direct.shadows())
 {

@@ -28,7 +28,7 @@ bool surfaceBelow(const Scene& scene, const Vec3& p, const Vec3& n, double depth
 PhotonMap::PhotonMap(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Scene_(scene),
       Settings_(settings),
-      Source(scene),
+      Source(scene, settings.openings),
       Direct(scene, receivers, settings, false),
       Rays(scene, this->Source, settings, this->Direct.shadows()),
       FirstRadius(1)

@@ -76,15 +76,22 @@ private:
     const Luminaire& l = this->Scene_.data().luminaires[luminaire];
     RayAnchor target = this->Scene_.luminaireAnchor(luminaire);
     if (l.isPoint())
-      return this->Scene_.rays().occluded(this->Eye, target) ? 0 : 1;
-    int visible = 0;
+      return this->visibility(target);
+    double visible = 0;
     for (int i = 0; i < parts; ++i)
       for (int j = 0; j < parts; ++j)
       {
         target.point = l.position + ((i + 0.5) / parts - 0.5) * l.sideU + ((j + 0.5) / parts - 0.5) * l.sideV;
-        visible += !this->Scene_.rays().occluded(this->Eye, target);
+        visible += this->visibility(target);
       }
-    return static_cast<double>(visible) / (parts * parts);
+    return visible / (parts * parts);
+  }
+
+  // Glass dims the luminance that the eye sees; it counts by its square.
+  double visibility(const RayAnchor& target) const
+  {
+    const RayScene& rays = this->Scene_.rays();
+    return rays.occluded(this->Eye, target) ? 0 : std::pow(rays.transmittance(this->Eye, target), 2);
   }
 
   void cut(std::uint32_t t, const Vec3 c[3], int depth, double& weighted, double& angle) const
@@ -102,10 +109,11 @@ private:
     }
     const double index = positionIndex(this->Who, normalized(middle - this->Eye));
     const RayAnchor target = this->Scene_.anchor(t, middle, this->Scene_.normal(t));
-    if (!std::isfinite(index) || this->Scene_.rays().occluded(this->Eye, target))
+    const double visible = std::isfinite(index) ? this->visibility(target) : 0;
+    if (!(visible > 0))
       return;
     const double omega = SphericalTriangle(this->Eye, c[0], c[1], c[2]).solidAngle();
-    weighted += omega / (index * index);
+    weighted += visible * omega / (index * index);
     angle += omega;
   }
 

@@ -67,7 +67,8 @@ public:
     const Lens lens(camera);
     const Vec3 eye = camera.position - scene.origin();
     for (std::size_t i = 0; i < pixels; ++i)
-      this->follow(i, eye, lens.direction(static_cast<int>(i % camera.width), static_cast<int>(i / camera.width)));
+      this->follow(i, eye, lens.direction(static_cast<int>(i % camera.width), static_cast<int>(i / camera.width)), 1,
+                   0);
   }
 
   const Receivers& receivers() const { return this->Seen; }
@@ -100,34 +101,47 @@ public:
   }
 
 private:
-  static constexpr int mirrorsFollowed = 8;  // gather rays follow further ones
+  static constexpr int mirrorsFollowed = 8;    // gather rays follow further ones
+  static constexpr double leastWeight = 1e-4;  // of a reflection in glass that is followed
 
-  void follow(std::size_t pixel, const Vec3& eye, Vec3 direction)
+  // Adds what is seen along a line of sight that `mirrors` mirrors or panes have turned.
+  void follow(std::size_t pixel, const RayAnchor& from, const Vec3& direction, double weight, int mirrors)
   {
-    const int bands = this->Scene_.bands();
-    SurfacePoint y = this->Scene_.trace(eye, direction);
-    double weight = 1;
-    if (!y.valid && this->Scene_.data().sky)
-      for (int b = 0; b < bands; ++b)
-        this->Emitted.luminanceBands[pixel * bands + b] += this->Scene_.data().sky->luminanceWithSun(direction);
-    for (int mirrors = 0; y.valid; ++mirrors)
+    const Scene& scene = this->Scene_;
+    const SurfacePoint y = scene.trace(from, direction), pane = scene.pane(from, direction, y);
+    this->addLights(pixel, from, direction, pane.valid ? pane : y, weight, mirrors > 0);
+    if (pane.valid)  // shows what is behind it, and a reflection
     {
-      const Material& material = this->Scene_.material(y.triangle);
-      if (y.front)
-        for (int b = 0; b < bands; ++b)
-          this->Emitted.luminanceBands[pixel * bands + b] += weight * material.exitance[b] / pi;
-      const bool last = material.mirror > 0 && mirrors == mirrorsFollowed;
-      this->add(pixel, y, -direction, weight, last);
-      if (!(material.mirror > 0) || last)
-        return;
-      weight *= material.mirror;
-      direction = reflected(-direction, y.normal);
-      const RayAnchor from = this->Scene_.anchor(y);
-      y = this->Scene_.trace(from, direction);
-      Bands seen{};
-      this->Luminaires.addSeen(from.lifted(), direction, y, uniformBands(weight / pi), seen.data());
-      for (int b = 0; b < bands; ++b)
-        this->Emitted.luminanceBands[pixel * bands + b] += seen[b];
+      const Glass& glass = *scene.material(pane.triangle).glass;
+      const double cosine = dot(direction, pane.normal), back = weight * glass.reflectance(cosine);
+      if (mirrors < mirrorsFollowed && back > leastWeight)
+        this->follow(pixel, scene.anchor(pane), reflected(-direction, pane.normal), back, mirrors + 1);
+      this->follow(pixel, scene.behind(pane), direction, weight * glass.transmittance(cosine), mirrors);
+      return;
+    }
+    if (!y.valid)
+      return;
+    const Material& material = scene.material(y.triangle);
+    const bool last = material.mirror > 0 && mirrors == mirrorsFollowed;
+    this->add(pixel, y, -direction, weight, last);
+    if (material.mirror > 0 && !last)
+      this->follow(pixel, scene.anchor(y), reflected(-direction, y.normal), weight * material.mirror, mirrors + 1);
+  }
+
+  // Exitance and sky at the end of a line of sight; behind a mirror the luminous rectangles on its way.
+  void addLights(std::size_t pixel, const RayAnchor& from, const Vec3& direction, const SurfacePoint& end,
+                 double weight, bool mirrored)
+  {
+    Bands seen{};
+    const auto& sky = this->Scene_.data().sky;
+    if (mirrored)
+      this->Luminaires.addSeen(from.lifted(), direction, end, uniformBands(weight / pi), seen.data());
+    else if (!end.valid && sky)
+      seen = uniformBands(weight * sky->luminanceWithSun(direction));
+    for (int b = 0; b < this->Scene_.bands(); ++b)
+    {
+      const double exitance = end.valid && end.front ? this->Scene_.material(end.triangle).exitance[b] : 0;
+      this->Emitted.luminanceBands[pixel * this->Scene_.bands() + b] += seen[b] + weight * exitance / pi;
     }
   }
 

@@ -47,6 +47,23 @@ void walk(const Scene& scene, const Emission& emission, SampleStream random, Ene
   std::size_t last = start.onSurface ? scene.surface(start.triangle) : scene.surfaces();
   for (bool first = true;; first = false)
   {
+    // Glass lets pass, reflects or absorbs, with these probabilities.
+    for (SurfacePoint pane = scene.pane(from, direction, point); pane.valid; pane = scene.pane(from, direction, point))
+    {
+      onSegment(from, direction, pane, weight, first, fromPoint && !first);
+      const Glass& glass = *scene.material(pane.triangle).glass;
+      const double cosine = dot(direction, pane.normal), through = glass.transmittance(cosine),
+                   back = glass.reflectance(cosine), u = random.next();
+      energy.absorbed() += luminous * (1 - through - back);
+      if (u >= through + back)
+        return;
+      from = u < through ? scene.behind(pane) : scene.anchor(pane);
+      if (u < through)
+        continue;
+      direction = reflected(-direction, pane.normal);
+      point = scene.trace(from, direction);
+      first = false;
+    }
     onSegment(from, direction, point, weight, first, fromPoint && !first);
     if (!point.valid)
     {
