@@ -67,6 +67,9 @@ public:
   void addSeen(const Vec3& origin, const Vec3& direction, const SurfacePoint& y, const Bands& throughput,
                double* sum) const;
 
+  /// Of one end of a shadow ray from the other: 0 to 1, with what glass between them lets through.
+  double visibility(const RayAnchor& a, const RayAnchor& b) const;
+
   /// Whether samples add to what prepareView() finds: something may hide area emitters, or openings are near.
   bool hasOpenings() const { return this->HasOpenings; }
   bool fluctuates() const { return this->HasOpenings || (this->Shadows && !this->Areas.empty()); }
@@ -75,7 +78,6 @@ public:
 
 private:
   double pointIlluminance(const Luminaire& luminaire, const Sensor& sensor) const;  // unshadowed, lx; 0 for areas
-  double visibility(const RayAnchor& a, const RayAnchor& b) const;          // 0 to 1, with what glass lets through
   bool shinesAt(const LuminousArea& area, const Sensor& sensor) const;      // as an area, from the side that is lit
   double formFactor(const LuminousArea& area, const Sensor& sensor) const;  // unshadowed, 0 where it does not shine
   void weigh(const Sensor& sensor, LuminaireWeights& weights) const;        // of luminaires, by which sample() draws

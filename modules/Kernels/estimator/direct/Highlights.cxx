@@ -197,18 +197,22 @@ Bands Highlights::score(const Sensor& sensor, const Candidate& one, const Vec3& 
   const SurfacePoint met = this->Scene_.trace(sensor.anchor, -wo);
   if (!met.valid || this->Scene_.glossyPlanes().of(met.triangle) != one.plane || dot(met.normal, one.normal) < 0)
     return {};
+  double through = 1;  // glass on the way
   if (this->Shadows)
   {
+    const RayScene& rays = this->Scene_.rays();
+    const RayAnchor from = this->Scene_.anchor(met.triangle, y, one.normal);
     const RayAnchor& end = this->Scene_.luminaireAnchor(one.luminaire);
     const Vec3 normal = dot(wi, end.normal) > 0 ? -end.normal : end.normal;
     const RayAnchor target = l.isPoint() ? end : RayAnchor(lamp, normal, end.base, end.slope);
-    if (this->Scene_.rays().occluded(this->Scene_.anchor(met.triangle, y, one.normal), target))
+    if (rays.occluded(from, target))
       return {};
+    through = rays.transmittance(from, target) * rays.transmittance(sensor.anchor, from);
   }
   Bands light = response(sensor, -wo, this->Scene_.bands());
   const double apart = 1 - keptLobeShare(sensor, -wo);
   for (int b = 0; b < this->Scene_.bands(); ++b)
-    light[b] *= e * apart;
+    light[b] *= e * apart * through;
   return light;
 }
 }  // namespace kalos

@@ -72,9 +72,12 @@ void GatherContext::luminaireLight(const Sensor* sensors, int count, bool afar, 
   {
     Bands unused{};
     samples[i].luminaire = 0;
-    if (!this->Luminaires.sampleUnshadowed(sensors[i], random, samples[i], unused) ||
-        (this->Shadows && this->Scene_.rays().occluded(sensors[i].anchor, samples[i].target)))
+    const bool aimed = this->Luminaires.sampleUnshadowed(sensors[i], random, samples[i], unused);
+    const double visible = aimed ? this->Luminaires.visibility(sensors[i].anchor, samples[i].target) : 0;
+    if (!(visible > 0))
       samples[i].light = {};
+    for (int b = 0; b < this->Scene_.bands() && visible < 1; ++b)
+      samples[i].light[b] *= visible;
   }
 }
 }  // namespace kalos
