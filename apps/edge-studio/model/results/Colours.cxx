@@ -36,11 +36,40 @@ void setScale(vtkLookupTable* table, double low, double high, bool logarithmic)
 }
 }  // namespace
 
-vtkSmartPointer<vtkLookupTable> falseColours(const std::array<double, 2>& range, bool logarithmic)
+QStringList colourMaps()
 {
-  vtkNew<vtkKalosFalseColor> source;
-  auto table = vtkSmartPointer<vtkLookupTable>::New();
-  table->DeepCopy(source->GetLookupTable());
+  return {QStringLiteral("kalos"), QStringLiteral("viridis"), QStringLiteral("inferno"), QStringLiteral("grey")};
+}
+
+vtkSmartPointer<vtkLookupTable> falseColours(const std::array<double, 2>& range, bool logarithmic, const QString& map)
+{
+  vtkSmartPointer<vtkLookupTable> table;
+  if (map == QLatin1String("viridis"))
+    table = ramp({{0.267, 0.005, 0.329},
+                  {0.275, 0.196, 0.494},
+                  {0.212, 0.361, 0.553},
+                  {0.153, 0.498, 0.557},
+                  {0.122, 0.631, 0.529},
+                  {0.290, 0.757, 0.427},
+                  {0.627, 0.855, 0.224},
+                  {0.993, 0.906, 0.144}});
+  else if (map == QLatin1String("inferno"))
+    table = ramp({{0.001, 0.000, 0.014},
+                  {0.157, 0.043, 0.330},
+                  {0.396, 0.082, 0.431},
+                  {0.623, 0.165, 0.388},
+                  {0.831, 0.282, 0.259},
+                  {0.961, 0.490, 0.082},
+                  {0.980, 0.757, 0.153},
+                  {0.988, 1.000, 0.644}});
+  else if (map == QLatin1String("grey"))
+    table = ramp({{0.05, 0.05, 0.05}, {1, 1, 1}});
+  else
+  {
+    vtkNew<vtkKalosFalseColor> source;
+    table = vtkSmartPointer<vtkLookupTable>::New();
+    table->DeepCopy(source->GetLookupTable());
+  }
   setScale(table, range[0], range[1], logarithmic);
   return table;
 }

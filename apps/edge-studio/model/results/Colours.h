@@ -3,6 +3,7 @@
 #ifndef studio_Colours_h
 #define studio_Colours_h
 
+#include <QStringList>
 #include <array>
 
 #include "vtkLookupTable.h"
@@ -10,8 +11,12 @@
 
 namespace studio
 {
-/// The colours of vtkKalosFalseColor over a range.
-vtkSmartPointer<vtkLookupTable> falseColours(const std::array<double, 2>& range, bool logarithmic);
+/// Keys of the maps for values from dark to bright; the first is that of vtkKalosFalseColor.
+QStringList colourMaps();
+
+/// The colours of a map over a range.
+vtkSmartPointer<vtkLookupTable> falseColours(const std::array<double, 2>& range, bool logarithmic,
+                                             const QString& map = colourMaps().front());
 
 /// Blue over white to red, for differences from -limit to limit.
 vtkSmartPointer<vtkLookupTable> differenceColours(double limit);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results/Comparison.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "base/DataSets.h"
+#include "results/Display.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -32,14 +34,18 @@ Comparison compare(const Result& a, const Result& b)
       continue;
     vtkDataArray *errorA = arrayOf(set.data, Names::IlluminanceStandardError),
                  *errorB = arrayOf(other, Names::IlluminanceStandardError);
-    vtkNew<vtkDoubleArray> difference;
-    difference->SetName(Comparison::arrayName);
+    vtkNew<vtkDoubleArray> inErrors, inLux, inPercent;
+    inErrors->SetName(Comparison::inErrors);
+    inLux->SetName(Comparison::inLux);
+    inPercent->SetName(Comparison::inPercent);
     for (vtkIdType i = 0; i < valueA->GetNumberOfTuples(); ++i)
     {
       const double more = valueA->GetComponent(i, 0) - valueB->GetComponent(i, 0);
       const double error = std::hypot(errorA->GetComponent(i, 0), errorB->GetComponent(i, 0));
       const double units = error > 0 ? more / error : more == 0 ? 0 : std::copysign(1e6, more);
-      difference->InsertNextValue(units);
+      inErrors->InsertNextValue(units);
+      inLux->InsertNextValue(more);
+      inPercent->InsertNextValue(valueB->GetComponent(i, 0) > 0 ? 100 * more / valueB->GetComponent(i, 0) : 0);
       beyond += std::abs(units) > 2;
       sumA += valueA->GetComponent(i, 0);
       sumB += valueB->GetComponent(i, 0);
@@ -48,7 +54,8 @@ Comparison compare(const Result& a, const Result& b)
     auto copy = vtk::TakeSmartPointer(set.data->NewInstance());
     copy->CopyStructure(set.data);
     const bool ofPoints = set.data->GetPointData()->HasArray(Names::Illuminance);
-    (ofPoints ? static_cast<vtkDataSetAttributes*>(copy->GetPointData()) : copy->GetCellData())->AddArray(difference);
+    for (vtkDoubleArray* array : {inErrors.Get(), inLux.Get(), inPercent.Get()})
+      (ofPoints ? static_cast<vtkDataSetAttributes*>(copy->GetPointData()) : copy->GetCellData())->AddArray(array);
     addSet(blocks, set.name, copy);
   }
   comparison.data = blocks;
@@ -56,6 +63,22 @@ Comparison compare(const Result& a, const Result& b)
     comparison.beyondTwo = static_cast<double>(beyond) / static_cast<double>(comparison.receivers);
   comparison.meanDifference = sumB > 0 ? sumA / sumB - 1 : 0;
   return comparison;
+}
+
+double colourLimit(const Comparison& comparison, const char* array)
+{
+  if (array == Comparison::inErrors)
+    return 5;
+  std::vector<double> sizes;
+  for (const NamedSet& set : dataSets(comparison.data))
+    if (vtkDataArray* values = arrayOf(set.data, array))
+      for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+        sizes.push_back(std::abs(values->GetComponent(i, 0)));
+  if (sizes.empty())
+    return 1;
+  const auto high = sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), high, sizes.end());
+  return *high > 0 ? roundUp(*high) : 1;
 }
 
 namespace

@@ -9,15 +9,19 @@ namespace studio
 {
 struct Comparison
 {
-  static constexpr const char* arrayName = "DifferenceInErrors";
+  static constexpr const char* inErrors = "DifferenceInErrors";    ///< (a - b) / (standard error of a - b)
+  static constexpr const char* inLux = "DifferenceInLux";          ///< a - b, lx
+  static constexpr const char* inPercent = "DifferenceInPercent";  ///< of b; 0 where b is dark
 
-  vtkSmartPointer<vtkDataObject>
-      data;  ///< the sets that both have, with the array: (a - b) / (standard error of a - b)
+  vtkSmartPointer<vtkDataObject> data;  ///< the sets that both have, with these arrays
   qint64 receivers = 0;
   double beyondTwo = 0;       ///< share of receivers that differ by more than two standard errors; 5 % by chance
   double meanDifference = 0;  ///< of the means over all receivers, relative to that of b
   bool independent = true;    ///< false: the seeds are the same, so the errors are not independent
 };
+
+/// A limit for the colours of one of the arrays: round, and above all but the highest hundredth of its values.
+double colourLimit(const Comparison& comparison, const char* array);
 
 /// The difference a - b. Sets that only one of the two has are left out.
 Comparison compare(const Result& a, const Result& b);

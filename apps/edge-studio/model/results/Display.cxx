@@ -8,6 +8,7 @@
 #include "base/DataSets.h"
 #include "base/JsonFields.h"
 #include "base/Problem.h"
+#include "results/Colours.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkKalosArrayNames.h"
@@ -16,12 +17,15 @@ namespace studio
 {
 namespace
 {
-const QStringList quantityKeys{QStringLiteral("illuminance"), QStringLiteral("direct-illuminance"),
-                               QStringLiteral("luminance"), QStringLiteral("standard-error")};
+const QStringList quantityKeys{
+    QStringLiteral("illuminance"),    QStringLiteral("direct-illuminance"), QStringLiteral("luminance"),
+    QStringLiteral("standard-error"), QStringLiteral("relative-error"),     QStringLiteral("untrusted"),
+    QStringLiteral("edge-distance"),  QStringLiteral("gather-rays"),        QStringLiteral("kernel-correction")};
 
 const QStringList scaleKeys{QStringLiteral("linear"), QStringLiteral("logarithmic"), QStringLiteral("photographic")};
 
-/// The round number (1, 2, 5 times a power of ten) at or above x.
+}  // namespace
+
 double roundUp(double x)
 {
   const double decade = std::pow(10.0, std::floor(std::log10(x)));
@@ -30,7 +34,26 @@ double roundUp(double x)
       return step * decade;
   return 10 * decade;
 }
-}  // namespace
+
+QVector<Quantity> quantities()
+{
+  QVector<Quantity> all;
+  for (int i = 0; i < quantityKeys.size(); ++i)
+    all << static_cast<Quantity>(i);
+  return all;
+}
+
+bool isSigned(Quantity quantity)
+{
+  return quantity == Quantity::KernelCorrection;
+}
+
+bool hasQuantity(const Result& result, Quantity quantity)
+{
+  const QVector<NamedSet> sets = dataSets(result.data);
+  return std::any_of(sets.begin(), sets.end(),
+                     [&](const NamedSet& set) { return arrayOf(set.data, arrayName(quantity)) != nullptr; });
+}
 
 const char* arrayName(Quantity quantity)
 {
@@ -43,6 +66,16 @@ const char* arrayName(Quantity quantity)
       return Names::Luminance;
     case Quantity::StandardError:
       return Names::IlluminanceStandardError;
+    case Quantity::RelativeError:
+      return relativeErrorName;
+    case Quantity::Untrusted:
+      return untrustedName;
+    case Quantity::EdgeDistance:
+      return Names::EdgeDistance;
+    case Quantity::GatherRays:
+      return Names::GatherRays;
+    case Quantity::KernelCorrection:
+      return Names::KernelCorrection;
     case Quantity::Illuminance:
       break;
   }
@@ -51,7 +84,20 @@ const char* arrayName(Quantity quantity)
 
 QString unitOf(Quantity quantity)
 {
-  return quantity == Quantity::Luminance ? QStringLiteral("cd/m²") : QStringLiteral("lx");
+  switch (quantity)
+  {
+    case Quantity::Luminance:
+      return QStringLiteral("cd/m²");
+    case Quantity::RelativeError:
+      return QStringLiteral("%");
+    case Quantity::EdgeDistance:
+      return QStringLiteral("m");
+    case Quantity::Untrusted:
+    case Quantity::GatherRays:
+      return {};
+    default:
+      return QStringLiteral("lx");
+  }
 }
 
 QJsonObject Display::toJson() const
@@ -62,6 +108,8 @@ QJsonObject Display::toJson() const
           {QStringLiteral("range"), QJsonArray{this->range[0], this->range[1]}},
           {QStringLiteral("smooth"), this->smooth},
           {QStringLiteral("isolines"), this->isolines},
+          {QStringLiteral("values"), this->values},
+          {QStringLiteral("colours"), this->colours},
           {QStringLiteral("edges"), this->edges},
           {QStringLiteral("luminaires"), this->luminaires},
           {QStringLiteral("hidden"), QJsonArray::fromStringList(this->hidden)}};
@@ -80,6 +128,10 @@ Display Display::fromJson(const QJsonObject& object, const QString& where)
   fields.numbers(QStringLiteral("range"), d.range.data(), 2);
   fields.flag(QStringLiteral("smooth"), d.smooth);
   fields.flag(QStringLiteral("isolines"), d.isolines);
+  fields.flag(QStringLiteral("values"), d.values);
+  int colours = static_cast<int>(colourMaps().indexOf(d.colours));
+  fields.choice(QStringLiteral("colours"), colours, colourMaps());
+  d.colours = colourMaps()[colours];
   fields.flag(QStringLiteral("edges"), d.edges);
   fields.flag(QStringLiteral("luminaires"), d.luminaires);
   fields.texts(QStringLiteral("hidden"), d.hidden);
@@ -98,13 +150,15 @@ std::vector<double> litValues(const QVector<ResultPtr>& results, const Display& 
       if (vtkDataArray* array =
               display.hidden.contains(set.name) ? nullptr : arrayOf(set.data, arrayName(display.quantity)))
         for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-          if (const double value = array->GetComponent(i, 0); value > 0 && std::isfinite(value))
+          if (const double value = std::abs(array->GetComponent(i, 0)); value > 0 && std::isfinite(value))
             values.push_back(value);
   return values;
 }
 
 std::array<double, 2> rangeOf(const QVector<ResultPtr>& results, const Display& display)
 {
+  if (display.quantity == Quantity::Untrusted)
+    return {0, 1};
   if (!display.automaticRange)
     return display.range;
   std::vector<double> values = litValues(results, display);
@@ -114,6 +168,8 @@ std::array<double, 2> rangeOf(const QVector<ResultPtr>& results, const Display& 
   const auto high = values.begin() + static_cast<std::ptrdiff_t>(0.995 * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), high, values.end());
   const double top = roundUp(*high);
+  if (isSigned(display.quantity))
+    return {-top, top};
   return {logarithmic ? 1e-3 * top : 0.0, top};
 }
 

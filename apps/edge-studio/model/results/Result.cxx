@@ -8,8 +8,10 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkKalosArrayNames.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 
 namespace studio
@@ -27,7 +29,7 @@ Quality qualityOf(vtkDataObject* data)
   {
     vtkDataArray *value = arrayOf(set.data, Names::Illuminance),
                  *error = arrayOf(set.data, Names::IlluminanceStandardError),
-                 *trusted = arrayOf(set.data, Names::IntervalTrusted);
+                 *trusted = arrayOf(set.data, Names::IntervalTrusted), *valid = arrayOf(set.data, Names::Valid);
     if (!value)  // an image
     {
       value = arrayOf(set.data, Names::Luminance);
@@ -37,6 +39,11 @@ Quality qualityOf(vtkDataObject* data)
       continue;
     for (vtkIdType i = 0; i < value->GetNumberOfTuples(); ++i)
     {
+      if (valid && valid->GetComponent(i, 0) == 0)
+      {
+        ++quality.invalid;
+        continue;
+      }
       ++quality.receivers;
       quality.untrusted += trusted->GetComponent(i, 0) == 0;
       if (!(value->GetComponent(i, 0) > 0))
@@ -51,6 +58,29 @@ Quality qualityOf(vtkDataObject* data)
   return quality;
 }
 
+void addErrors(vtkDataSet* data)
+{
+  vtkDataArray *value = arrayOf(data, Names::Illuminance), *error = arrayOf(data, Names::IlluminanceStandardError),
+               *trusted = arrayOf(data, Names::IntervalTrusted);
+  if (!value || !error || !trusted)
+    return;
+  vtkNew<vtkDoubleArray> relative, untrusted;
+  relative->SetName(relativeErrorName);
+  untrusted->SetName(untrustedName);
+  for (vtkIdType i = 0; i < value->GetNumberOfTuples(); ++i)
+  {
+    const double lux = value->GetComponent(i, 0);
+    relative->InsertNextValue(lux > 0 ? 100 * error->GetComponent(i, 0) / lux : 0);
+    untrusted->InsertNextValue(trusted->GetComponent(i, 0) == 0);
+  }
+  const bool ofPoints = data->GetPointData()->HasArray(Names::Illuminance);
+  vtkDataSetAttributes* attributes = data->GetCellData();
+  if (ofPoints)
+    attributes = data->GetPointData();
+  attributes->AddArray(relative);
+  attributes->AddArray(untrusted);
+}
+
 double fieldValue(vtkDataObject* data, const char* name)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray(name);
@@ -58,10 +88,10 @@ double fieldValue(vtkDataObject* data, const char* name)
 }
 }  // namespace
 
-vtkDataSet* Result::set(const QString& name) const
+vtkDataSet* Result::set(const QString& wanted) const
 {
   for (const NamedSet& set : dataSets(this->data))
-    if (set.name == name || set.name.isEmpty())
+    if (set.name == wanted || set.name.isEmpty())
       return set.data;
   return nullptr;
 }
@@ -72,7 +102,10 @@ Result makeResult(const MethodSettings& settings, vtkDataObject* data)
   result.settings = settings;
   result.data = data;
   for (const NamedSet& set : dataSets(data))
+  {
     addDiffuseLuminance(set.data);
+    addErrors(set.data);
+  }
   result.quality = qualityOf(data);
   result.trajectories = static_cast<qint64>(fieldValue(data, Names::Trajectories));
   result.seconds = fieldValue(data, Names::SolveSeconds);

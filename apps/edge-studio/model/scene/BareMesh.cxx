@@ -9,6 +9,11 @@
 
 namespace studio
 {
+namespace
+{
+const QString unseenName = QStringLiteral("unseen");
+}
+
 bool isBareMesh(const QString& path)
 {
   static const QStringList meshes{QStringLiteral("ply"), QStringLiteral("stl"), QStringLiteral("vtp")};
@@ -21,6 +26,21 @@ bool isBareMesh(const QString& path)
       if (file.readLine().simplified().startsWith("mtllib "))
         return false;  // it brings its materials
   return true;
+}
+
+QJsonObject unseenCamera()
+{
+  return {{QStringLiteral("name"), unseenName},
+          {QStringLiteral("position"), QJsonArray{0, -1, 0}},
+          {QStringLiteral("target"), QJsonArray{0, 0, 0}},
+          {QStringLiteral("up"), QJsonArray{0, 0, 1}},
+          {QStringLiteral("fov_deg"), 45},
+          {QStringLiteral("resolution"), QJsonArray{8, 8}}};
+}
+
+bool isUnseen(const QString& cameraName)
+{
+  return cameraName == unseenName;
 }
 
 QByteArray furnaceAround(const QString& meshFile)
@@ -38,17 +58,10 @@ QByteArray furnaceAround(const QString& meshFile)
   const QJsonObject surface{{QStringLiteral("name"), QStringLiteral("mesh")},
                             {QStringLiteral("file"), QFileInfo(meshFile).absoluteFilePath()},
                             {QStringLiteral("material"), QStringLiteral("glow")}};
-  // A scene file needs a receiver or a camera; this camera is not shown.
-  const QJsonObject camera{{QStringLiteral("name"), QStringLiteral("none")},
-                           {QStringLiteral("position"), QJsonArray{0, -1, 0}},
-                           {QStringLiteral("target"), QJsonArray{0, 0, 0}},
-                           {QStringLiteral("up"), QJsonArray{0, 0, 1}},
-                           {QStringLiteral("fov_deg"), 45},
-                           {QStringLiteral("resolution"), QJsonArray{8, 8}}};
   return QJsonDocument(QJsonObject{{QStringLiteral("kalos"), 1},
                                    {QStringLiteral("materials"), materials},
                                    {QStringLiteral("surfaces"), QJsonArray{surface}},
-                                   {QStringLiteral("cameras"), QJsonArray{camera}}})
+                                   {QStringLiteral("cameras"), QJsonArray{unseenCamera()}}})
       .toJson();
 }
 }  // namespace studio

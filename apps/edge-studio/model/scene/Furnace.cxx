@@ -13,19 +13,41 @@
 #include "vtkKalosSingularEdges.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolygon.h"
 #include "vtkReverseSense.h"
 #include "vtkStaticCellLocator.h"
 
 namespace studio
 {
-vtkSmartPointer<vtkPolyData> singularEdges(vtkPolyData* surfaces, bool borders)
+namespace
+{
+void addEdgeDistances(vtkMultiBlockDataSet* receivers, vtkDataObject* measured)
+{
+  const QVector<NamedSet> from = dataSets(measured), to = dataSets(receivers);
+  for (int i = 0; i < std::min(from.size(), to.size()); ++i)
+  {
+    const auto copy = [](vtkDataSetAttributes* source, vtkDataSetAttributes* target) {
+      if (vtkDataArray* distance = source->GetArray(vtkKalosArrayNames::EdgeDistance))
+        target->AddArray(distance);
+    };
+    copy(from[i].data->GetPointData(), to[i].data->GetPointData());
+    copy(from[i].data->GetCellData(), to[i].data->GetCellData());
+  }
+}
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> singularEdges(vtkPolyData* surfaces, bool borders, vtkMultiBlockDataSet* receivers)
 {
   vtkNew<vtkKalosSingularEdges> edges;
   const auto errors = ErrorCollector::watch(edges);
   edges->SetInputData(surfaces);
   edges->SetBorderEdges(borders);
+  if (receivers)
+    edges->SetInputDataObject(1, receivers);
   edges->Update();
+  if (receivers)
+    addEdgeDistances(receivers, edges->GetOutputDataObject(1));
   return edges->GetOutput();
 }
 

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 
 namespace studio
@@ -19,8 +20,9 @@ bool facesOutward(vtkPolyData* surfaces);
 /// The same surfaces with front and back exchanged.
 vtkSmartPointer<vtkPolyData> turned(vtkPolyData* surfaces);
 
-/// Output 0 of vtkKalosSingularEdges.
-vtkSmartPointer<vtkPolyData> singularEdges(vtkPolyData* surfaces, bool borders);
+/// Output 0 of vtkKalosSingularEdges; the receivers, if there are any, get its array EdgeDistance.
+vtkSmartPointer<vtkPolyData> singularEdges(vtkPolyData* surfaces, bool borders,
+                                           vtkMultiBlockDataSet* receivers = nullptr);
 }  // namespace studio
 
 #endif

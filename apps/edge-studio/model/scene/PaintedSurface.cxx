@@ -19,11 +19,12 @@ namespace studio
 {
 namespace
 {
-vtkSmartPointer<vtkPolyData> remeshed(vtkPolyData* triangles, double length)
+/// Remeshing cuts polygons with holes along their outlines, which vtkTriangleFilter fills.
+vtkSmartPointer<vtkPolyData> remeshed(vtkPolyData* surfaces, vtkPolyData* triangles, double length)
 {
   vtkNew<vtkKalosSurfaceRemesh> remesh;
   const auto errors = ErrorCollector::watch(remesh);
-  remesh->SetInputData(triangles);
+  remesh->SetInputData(surfaces);
   remesh->SetEdgeLength(length);
   // Small enough along edges to show the noise of plain local estimation. Steep grading keeps the number of cells low.
   remesh->SetSmallestEdgeLength(length / 8);
@@ -98,7 +99,7 @@ PaintedSurface paintedSurface(vtkPolyData* surfaces, int cells)
     return {triangles, triangles, nullptr};
   if (triangles->GetNumberOfCells() < cells)
   {
-    const auto few = faceted(remeshed(triangles, length), 5);
+    const auto few = faceted(remeshed(surfaces, triangles, length), 5);
     return {few, few, nullptr};
   }
   const auto shape = faceted(cutLong(triangles, length), 30);

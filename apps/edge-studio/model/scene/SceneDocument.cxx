@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/SceneDocument.h"
 
-#include <QFile>
 #include <QFileInfo>
+#include <QJsonDocument>
 #include <QTemporaryDir>
 
 #include "base/DataSets.h"
 #include "base/ErrorCollector.h"
+#include "base/Files.h"
 #include "base/Problem.h"
 #include "scene/BareMesh.h"
 #include "scene/Furnace.h"
+#include "scene/SceneDraft.h"
 #include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkKalosArrayNames.h"
@@ -36,33 +38,50 @@ QString blockName(vtkMultiBlockDataSet* blocks, unsigned int i)
 
 ScenePtr SceneDocument::open(const QString& path, bool turned)
 {
+  if (!studio::isBareMesh(path))
+  {
+    auto document = std::make_shared<SceneDocument>();
+    document->Path = QFileInfo(path).absoluteFilePath();
+    document->read(document->Path);
+    document->complete();
+    return document;
+  }
+  if (!QFileInfo(path).isFile())
+    throw Problem(QStringLiteral("%1: file: no such file; expected a mesh").arg(path));
+  return SceneDocument::fromDraft(draftOf(path), path, turned);
+}
+
+ScenePtr SceneDocument::fromDraft(const QJsonObject& draft, const QString& path, bool turned)
+{
   auto document = std::make_shared<SceneDocument>();
   document->Path = QFileInfo(path).absoluteFilePath();
   document->BareMesh = studio::isBareMesh(path);
-  if (!document->BareMesh)
-    document->read(document->Path);
-  else
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QFileInfo(path).completeBaseName() + QStringLiteral(".json"));
+  writeFile(file, QJsonDocument(draft).toJson());
+  try
   {
-    QTemporaryDir folder;
-    QFile file(folder.filePath(QStringLiteral("furnace.json")));
-    if (!QFileInfo(path).isFile())
-      throw Problem(QStringLiteral("%1: file: no such file; expected a mesh").arg(path));
-    if (!file.open(QIODevice::WriteOnly))
-      throw Problem(QStringLiteral("%1: file: cannot be written; expected a writable folder").arg(file.fileName()));
-    file.write(furnaceAround(path));
-    file.close();
-    document->read(file.fileName());
-    document->Cameras.clear();
-    document->Turned = turned;
-    if (turned)
-      document->Surfaces = studio::turned(document->Surfaces);
-    document->Outward = studio::facesOutward(document->Surfaces);
+    document->read(file);
   }
-  document->Edges = singularEdges(document->Surfaces, false);
-  document->Painted = paintedSurface(document->Surfaces);
-  document->Furnace = studio::furnaceIlluminance(document->Surfaces, document->Luminaires);
-  document->refineShadows();
+  catch (const Problem& problem)
+  {
+    throw Problem(problem.message().replace(file, path));
+  }
+  document->Turned = turned;
+  if (turned)
+    document->Surfaces = studio::turned(document->Surfaces);
+  document->Outward = document->BareMesh && studio::facesOutward(document->Surfaces);
+  document->complete();
   return document;
+}
+
+// What is derived from the content of the file.
+void SceneDocument::complete()
+{
+  this->Painted = paintedSurface(this->Surfaces);
+  this->Edges = singularEdges(this->Surfaces, false, this->receivers(this->sets()));
+  this->Furnace = studio::furnaceIlluminance(this->Surfaces, this->Luminaires);
+  this->refineShadows();
 }
 
 void SceneDocument::refineShadows()
@@ -93,7 +112,8 @@ void SceneDocument::read(const QString& sceneFile)
     reader->GetCameraTarget(i, camera.target.GetData());
     reader->GetCameraUp(i, camera.up.GetData());
     camera.fieldOfView = reader->GetCameraFieldOfView(i);
-    this->Cameras << camera;
+    if (!isUnseen(camera.name))
+      this->Cameras << camera;
   }
 }
 

@@ -5,6 +5,7 @@
 #define studio_SceneDocument_h
 
 #include <QHash>
+#include <QJsonObject>
 #include <QString>
 #include <QStringList>
 #include <QVector>
@@ -28,6 +29,10 @@ public:
   /// lit as a white furnace: reflectance 0.5 and exitance 100 lm/m2 everywhere, so that the illuminance is 200 lx at
   /// every point of a closed mesh with its fronts inside. `turned` exchanges the sides of a bare mesh. Throws Problem.
   static std::shared_ptr<const SceneDocument> open(const QString& path, bool turned = false);
+
+  /// A scene file that is being edited, see SceneDraft.h; messages and path() are of the file that it was read from.
+  static std::shared_ptr<const SceneDocument> fromDraft(const QJsonObject& draft, const QString& path,
+                                                        bool turned = false);
 
   const QString& path() const { return this->Path; }
   QString name() const;
@@ -60,6 +65,7 @@ public:
 
 private:
   void read(const QString& sceneFile);
+  void complete();
   void refineShadows();
 
   QString Path;

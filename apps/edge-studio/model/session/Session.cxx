@@ -37,6 +37,7 @@ QJsonArray writeResults(const Workbench& bench, const QDir& folder)
       writeResult(*result, folder.filePath(name));
       list.append(QJsonObject{{QStringLiteral("settings"), result->settings.toJson()},
                               {QStringLiteral("complete"), result->complete},
+                              {QStringLiteral("name"), result->name},
                               {QStringLiteral("file"), name}});
     }
   if (const ResultPtr image = bench.image().result(); image && image->complete)
@@ -64,6 +65,13 @@ void saveSession(const Workbench& bench, const CameraPreset& camera, const QStri
                       {QStringLiteral("compute"), QJsonArray::fromStringList(bench.chosenSets())},
                       {QStringLiteral("camera"), camera.toJson()},
                       {QStringLiteral("results"), writeResults(bench, fresh)}};
+  if (bench.isEdited())
+    session[QStringLiteral("draft")] = bench.draft();
+  QJsonObject required;
+  for (auto it = bench.requirements().begin(); it != bench.requirements().end(); ++it)
+    required[it.key()] = it.value().toJson();
+  if (!required.isEmpty())
+    session[QStringLiteral("requirements")] = required;
   if (bench.study())
     session[QStringLiteral("study")] = bench.study()->toJson();
   if (const auto& request = bench.image().request())
@@ -95,6 +103,8 @@ struct Stored
   QStringList compute;
   CameraPreset camera;
   QVector<ResultPtr> results;
+  QJsonObject draft;  // of an edited scene; else empty
+  QHash<QString, Requirement> requirements;
   std::optional<Study> study;
   std::optional<ImageRequest> request;
   ResultPtr image;
@@ -119,14 +129,18 @@ QVector<ResultPtr> readResults(const QJsonArray& list, const QString& where, con
   for (const QJsonValue& entry : list)
   {
     JsonFields fields(entry.toObject(), where + QStringLiteral("/%1").arg(results.size()));
-    QString name;
+    QString file, name;
     MethodSettings settings;
     bool complete = true;
-    fields.text(QStringLiteral("file"), name);
+    fields.text(QStringLiteral("file"), file);
+    fields.text(QStringLiteral("name"), name);
     fields.read(QStringLiteral("settings"), settings);
     fields.flag(QStringLiteral("complete"), complete);
     fields.finish();
-    results << readResult(settings, complete, folder.filePath(QFileInfo(name).fileName()));
+    auto result =
+        std::make_shared<Result>(*readResult(settings, complete, folder.filePath(QFileInfo(file).fileName())));
+    result->name = name;
+    results << result;
   }
   return results;
 }
@@ -145,6 +159,12 @@ Stored read(const QString& path)
   fields.texts(QStringLiteral("compute"), stored.compute);
   fields.read(QStringLiteral("camera"), stored.camera);
   stored.results = readResults(fields.array(results), fields.at(results), resultsFolder(path));
+  stored.draft = fields.object(QStringLiteral("draft"));
+  const QString requirements = QStringLiteral("requirements");
+  const QJsonObject required = fields.object(requirements);
+  for (const QString& set : required.keys())
+    stored.requirements[set] =
+        Requirement::fromJson(required[set].toObject(), fields.at(requirements) + QLatin1Char('/') + set);
   if (!fields.object(study).isEmpty())
     fields.read(study, stored.study.emplace());
   if (!fields.object(image).isEmpty())
@@ -162,11 +182,15 @@ CameraPreset openSession(Workbench& bench, const QString& path)
 {
   const Stored stored = read(path);  // before anything on the bench changes
   bench.open(QFileInfo(path).absoluteDir().absoluteFilePath(stored.scene), stored.turned);
+  if (!stored.draft.isEmpty())
+    bench.edit(stored.draft);
   bench.setSettings(stored.settings);
   bench.setDisplay(stored.display);
   bench.setChosenSets(stored.compute);
   for (const ResultPtr& result : stored.results)
     bench.addResult(result);
+  for (auto it = stored.requirements.begin(); it != stored.requirements.end(); ++it)
+    bench.require(it.key(), it.value());
   bench.setStudy(stored.study);
   if (stored.image)
     bench.image().restore(*stored.request, stored.image);

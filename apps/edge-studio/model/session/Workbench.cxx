@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "session/Workbench.h"
 
-#include "base/DataSets.h"
-#include "vtkKalosEstimatorAlgorithm.h"
+#include "base/Problem.h"
+#include "scene/SceneDraft.h"
 
 namespace studio
 {
-namespace
-{
-/// The fast method for a second, whatever the scene.
-MethodSettings firstLight()
-{
-  MethodSettings settings;
-  settings.method = vtkKalosEstimatorAlgorithm::GATHERED;
-  settings.goal = Goal::Time;
-  settings.seconds = 1;
-  return settings;
-}
-}  // namespace
-
 Workbench::Workbench(QObject* parent) : QObject(parent)
 {
   this->Later.setSingleShot(true);
@@ -28,17 +15,28 @@ Workbench::Workbench(QObject* parent) : QObject(parent)
 void Workbench::open(const QString& path, bool turned)
 {
   const ScenePtr scene = SceneDocument::open(path, turned);
+  State state{this->settings(), this->display(), draftOf(path)};
+  state.display.hidden.clear();
+  this->SavedDraft = state.draft;
+  this->History = UndoHistory<State>(state);
+  this->ChosenSets = scene->usualSets();
+  this->Required.clear();
+  this->takeScene(scene);
+  emit this->settingsChanged();
+}
+
+// Results of the scene before are dropped.
+void Workbench::takeScene(const ScenePtr& scene)
+{
   this->Current.reset();
   this->CurrentHasResult = false;
   this->Scene = scene;
-  this->ChosenSets = scene->usualSets();
   this->Series.clear();
   this->Results.clear();
   this->Tracks.clear();
   this->ShownIndex = -1;
   this->CurrentStudy.reset();
   this->Image.forget();
-  this->DisplaySettings.hidden.clear();
   this->Follows = true;
   this->Unsaved = false;
   this->Later.stop();
@@ -47,31 +45,81 @@ void Workbench::open(const QString& path, bool turned)
   emit this->resultsChanged();
 }
 
+void Workbench::edit(const QJsonObject& draft)
+{
+  if (draft == this->draft())
+    return;
+  const ScenePtr scene = SceneDocument::fromDraft(draft, this->Scene->path(), this->Scene->isTurned());
+  State state = this->History.current();
+  state.draft = draft;
+  this->History.set(state);
+  if (scene->sets() != this->Scene->sets())
+    this->ChosenSets = scene->usualSets();
+  this->takeScene(scene);
+  emit this->settingsChanged();
+}
+
+void Workbench::saveScene(const QString& path)
+{
+  saveDraft(this->draft(), path);
+  this->SavedDraft = this->draft();
+}
+
 void Workbench::setSettings(const MethodSettings& settings)
 {
   if (settings == this->settings())
     return;
-  this->History.set(settings);
+  State state = this->History.current();
+  state.settings = settings;
+  this->History.set(state);
   emit this->settingsChanged();
 }
 
 void Workbench::undo()
 {
+  const State before = this->History.current();
   this->History.undo();
-  emit this->settingsChanged();
+  this->restore(before, false);
 }
 
 void Workbench::redo()
 {
+  const State before = this->History.current();
   this->History.redo();
+  this->restore(before, true);
+}
+
+// The current state of the history in place of another one; where its scene cannot be opened any more, that one.
+void Workbench::restore(const State& before, bool redone)
+{
+  const State& now = this->History.current();
+  if (now.draft != before.draft)
+  {
+    try
+    {
+      const ScenePtr scene = SceneDocument::fromDraft(now.draft, this->Scene->path(), this->Scene->isTurned());
+      this->ChosenSets = scene->usualSets();
+      this->takeScene(scene);
+    }
+    catch (const Problem& problem)
+    {
+      redone ? this->History.undo() : this->History.redo();
+      emit this->problem(problem.message());
+    }
+  }
   emit this->settingsChanged();
+  if (this->display() != before.display)
+    emit this->displayChanged();
 }
 
 void Workbench::setDisplay(const studio::Display& display)
 {
-  if (display == this->DisplaySettings)
+  if (display == this->display())
     return;
-  this->DisplaySettings = display;
+  State state = this->History.current();
+  state.display = display;
+  this->History.set(state);
+  emit this->settingsChanged();  // of what can be undone
   emit this->displayChanged();
 }
 
@@ -83,50 +131,16 @@ void Workbench::setChosenSets(const QStringList& names)
   emit this->displayChanged();
 }
 
-void Workbench::run()
-{
-  this->runSeries({this->settings()});
-}
-
-void Workbench::runSeries(const QVector<MethodSettings>& series)
-{
-  if (!this->Scene)
-    return;
-  if (this->ChosenSets.isEmpty())
-  {
-    emit this->problem(tr("There is nothing to compute. Tick a set of points in the column Compute."));
-    return;
-  }
-  this->start(series, true);
-}
-
-void Workbench::runUnasked()
-{
-  if (this->Scene && !this->ChosenSets.isEmpty())
-    this->start({firstLight(), this->settings()}, false);
-}
-
-void Workbench::start(const QVector<MethodSettings>& series, bool asked)
-{
-  this->Asked = asked;
-  this->Follows = true;
-  this->Series = series;
-  this->runNext();
-}
-
-bool Workbench::showsAll() const
-{
-  const ResultPtr result = this->shown();
-  QStringList missing = this->ChosenSets;
-  for (const NamedSet& set : dataSets(result ? result->data.Get() : nullptr))
-    missing.removeAll(set.name);
-  return missing.isEmpty();
-}
-
 void Workbench::setStudy(const std::optional<Study>& study)
 {
   this->CurrentStudy = study;
   emit this->studyChanged();
+}
+
+void Workbench::require(const QString& set, const Requirement& requirement)
+{
+  this->Required[set] = requirement;
+  emit this->requirementsChanged();
 }
 
 void Workbench::runStudy(const Study& study)
@@ -143,80 +157,6 @@ QVector<ResultPtr> Workbench::onOneScale() const
   return cells.contains(this->shown()) ? cells : QVector<ResultPtr>{this->shown()};
 }
 
-void Workbench::runNext()
-{
-  if (this->Series.isEmpty())
-    return;
-  const MethodSettings settings = this->Series.takeFirst();
-  // A preview is not needed where a complete picture is shown already.
-  this->Current =
-      std::make_unique<Run>(this->Scene, this->Scene->receivers(this->ChosenSets), settings, !this->showsAll());
-  this->CurrentHasResult = false;
-  connect(this->Current.get(), &Run::refined, this, &Workbench::takeResult);
-  // The handler replaces the run, so it must not be called while the run is still emitting.
-  connect(
-      this->Current.get(), &Run::ended, this,
-      [this, run = this->Current.get()] {
-        if (run == this->Current.get())  // else another one was started meanwhile
-          this->endRun();
-      },
-      Qt::QueuedConnection);
-  emit this->runBegan();
-  emit this->runChanged();
-}
-
-void Workbench::endRun()
-{
-  const Run::State state = this->Current->state();
-  const QString trouble = this->Current->problem();
-  if (state != Run::State::Finished)
-    this->Series.clear();
-  if (this->Later.isActive())
-    this->showResult();
-  emit this->runChanged();
-  emit this->runEnded();
-  if (state == Run::State::Failed)
-    emit this->problem(trouble);
-  this->runNext();
-}
-
-void Workbench::cancel()
-{
-  this->Series.clear();
-  if (this->isRunning())
-    this->Current->cancel();
-}
-
-void Workbench::takeResult()
-{
-  const bool first = !this->CurrentHasResult;
-  if (first)
-  {
-    this->Results << nullptr;
-    this->Tracks << QVector<QPointF>();
-  }
-  this->CurrentHasResult = true;
-  const ResultPtr result = this->Current->result();
-  this->Results.last() = result;
-  this->Unsaved = this->Unsaved || this->Asked;
-  if (!result->preview && result->seconds > 0)
-    this->Tracks.last() << QPointF(result->seconds, result->quality.typical);
-  const int wait = first || result->complete ? 0 : this->Budget.wait();
-  if (wait == 0)
-    this->showResult();
-  else if (!this->Later.isActive())
-    this->Later.start(wait);
-}
-
-void Workbench::showResult()
-{
-  this->Later.stop();
-  if (this->Follows)
-    this->ShownIndex = static_cast<int>(this->Results.size()) - 1;
-  this->Budget.redrawn();
-  emit this->resultsChanged();
-}
-
 void Workbench::addResult(const ResultPtr& result)
 {
   const int before = static_cast<int>(this->Results.size()) - (this->CurrentHasResult ? 1 : 0);
@@ -224,6 +164,31 @@ void Workbench::addResult(const ResultPtr& result)
   this->Tracks.insert(before, {QPointF(result->seconds, result->quality.typical)});
   this->ShownIndex += this->ShownIndex >= before ? 1 : 0;
   this->show(this->ShownIndex < 0 ? before : this->ShownIndex);
+}
+
+void Workbench::rename(int index, const QString& name)
+{
+  auto renamed = std::make_shared<Result>(*this->Results[index]);
+  renamed->name = name;
+  this->Results[index] = renamed;
+  emit this->resultsChanged();
+}
+
+bool Workbench::canRemove(int index) const
+{
+  const bool refined = this->isRunning() && this->CurrentHasResult && index + 1 == this->Results.size();
+  return this->Results.value(index) && !refined;
+}
+
+void Workbench::remove(int index)
+{
+  if (!this->canRemove(index))
+    return;
+  this->CurrentHasResult = this->CurrentHasResult && index + 1 < this->Results.size();
+  this->Results.removeAt(index);
+  this->Tracks.removeAt(index);
+  const int last = static_cast<int>(this->Results.size()) - 1;
+  this->show(std::min(this->ShownIndex > index ? this->ShownIndex - 1 : this->ShownIndex, last));
 }
 
 void Workbench::show(int index)

@@ -3,6 +3,7 @@
 #ifndef studio_Workbench_h
 #define studio_Workbench_h
 
+#include <QHash>
 #include <QObject>
 #include <QPointF>
 #include <QTimer>
@@ -10,6 +11,7 @@
 
 #include "base/UndoHistory.h"
 #include "results/Display.h"
+#include "results/Statistics.h"
 #include "run/CameraImage.h"
 #include "run/Run.h"
 #include "session/RedrawBudget.h"
@@ -29,12 +31,20 @@ public:
   void open(const QString& path, bool turned = false);
   const ScenePtr& scene() const { return this->Scene; }
 
-  const MethodSettings& settings() const { return this->History.current(); }
+  /// The scene file as it is edited, see SceneDraft.h. A changed one is opened, and drops the results; throws Problem,
+  /// then all stays.
+  const QJsonObject& draft() const { return this->History.current().draft; }
+  void edit(const QJsonObject& draft);
+  bool isEdited() const { return this->draft() != this->SavedDraft; }
+  /// Writes the draft as a scene file. Throws Problem.
+  void saveScene(const QString& path);
+
+  const MethodSettings& settings() const { return this->History.current().settings; }
   void setSettings(const MethodSettings& settings);
   bool canUndo() const { return this->History.canUndo(); }
   bool canRedo() const { return this->History.canRedo(); }
 
-  const studio::Display& display() const { return this->DisplaySettings; }
+  const studio::Display& display() const { return this->History.current().display; }
   void setDisplay(const studio::Display& display);
 
   /// Receiver sets that the next run computes.
@@ -52,14 +62,20 @@ public:
   ResultPtr shown() const { return this->Results.value(this->ShownIndex); }
   void show(int index);
   void addResult(const ResultPtr& result);
+  void rename(int index, const QString& name);
+  /// Whether a result is there and not being refined.
+  bool canRemove(int index) const;
+  void remove(int index);
 
   /// Runs these settings one after the other; cancel() stops the whole series.
   void runSeries(const QVector<MethodSettings>& series);
   /// Runs the fast method for a second, then the chosen settings. These results do not count as unsaved().
   void runUnasked();
 
-  /// Whether there are results of runs that were asked for since the last markSaved(), or such a run is under way.
-  bool unsaved() const { return this->Unsaved || this->isBusy(); }
+  /// Whether there are results of runs that were asked for since the last markSaved(), or such a run is under way; or
+  /// the scene is edited and not saved.
+  bool unsaved() const { return this->hasUnsavedResults() || this->isEdited(); }
+  bool hasUnsavedResults() const { return this->Unsaved || this->isBusy(); }
   void markSaved() { this->Unsaved = false; }
   int seriesLeft() const { return static_cast<int>(this->Series.size()); }  ///< after the run under way
 
@@ -73,6 +89,11 @@ public:
   void runStudy(const Study& study);
   const std::optional<Study>& study() const { return this->CurrentStudy; }
   void setStudy(const std::optional<Study>& study);  ///< without running it
+
+  /// What a task requires of a set of points; nothing by default.
+  Requirement requirement(const QString& set) const { return this->Required.value(set); }
+  const QHash<QString, Requirement>& requirements() const { return this->Required; }
+  void require(const QString& set, const Requirement& requirement);
 
   /// The results that share one scale with the shown one: the cells of its study, else itself only.
   QVector<ResultPtr> onOneScale() const;
@@ -93,12 +114,27 @@ signals:
   void displayChanged();
   void resultsChanged();  ///< a result is new, newer, gone, or another one is shown
   void studyChanged();
-  void runChanged();  ///< it began, rests, goes on, ended
+  void requirementsChanged();
+  void runChanged();  ///< it began, paused, continued or ended
   void runBegan();
   void runEnded();
   void problem(const QString& message);
 
 private:
+  /// What undo brings back.
+  struct State
+  {
+    MethodSettings settings;
+    studio::Display display;
+    QJsonObject draft;
+
+    bool operator==(const State& other) const
+    {
+      return this->settings == other.settings && this->display == other.display && this->draft == other.draft;
+    }
+  };
+  void restore(const State& before, bool redone);
+  void takeScene(const ScenePtr& scene);
   void start(const QVector<MethodSettings>& series, bool asked);
   void runNext();
   void endRun();
@@ -107,13 +143,14 @@ private:
   bool showsAll() const;
 
   ScenePtr Scene;
-  UndoHistory<MethodSettings> History;
-  studio::Display DisplaySettings;
+  UndoHistory<State> History;
+  QJsonObject SavedDraft;
   QStringList ChosenSets;
   std::unique_ptr<Run> Current;
   bool CurrentHasResult = false;   // the last of Results is Current's
   QVector<MethodSettings> Series;  // still to be run
   std::optional<Study> CurrentStudy;
+  QHash<QString, Requirement> Required;
   CameraImage Image;
   QVector<ResultPtr> Results;
   QVector<QVector<QPointF>> Tracks;

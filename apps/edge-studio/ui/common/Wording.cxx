@@ -59,10 +59,46 @@ QString title(Quantity quantity)
       return tr("Luminance");
     case Quantity::StandardError:
       return tr("Std. error");
+    case Quantity::RelativeError:
+      return tr("Relative error");
+    case Quantity::Untrusted:
+      return tr("Untrusted");
+    case Quantity::EdgeDistance:
+      return tr("Edge distance");
+    case Quantity::GatherRays:
+      return tr("Gather rays");
+    case Quantity::KernelCorrection:
+      return tr("Kernel change");
     case Quantity::Illuminance:
       break;
   }
   return tr("Illuminance");
+}
+
+QString explain(Quantity quantity)
+{
+  switch (quantity)
+  {
+    case Quantity::DirectIlluminance:
+      return tr("Light straight from the luminaires");
+    case Quantity::Luminance:
+      return tr("What surfaces send out diffusely, (ρE + M)/π; gloss and mirrors are in the image");
+    case Quantity::StandardError:
+      return tr("Standard error of the illuminance");
+    case Quantity::RelativeError:
+      return tr("Standard error in per cent of the illuminance");
+    case Quantity::Untrusted:
+      return tr("1 where the standard error cannot be believed, because a few scores dominate");
+    case Quantity::EdgeDistance:
+      return tr("Distance to the nearest singular edge");
+    case Quantity::GatherRays:
+      return tr("Rays that compensated has sent from each point");
+    case Quantity::KernelCorrection:
+      return tr("What a method changes by averaging or clamping the kernel, on the same trajectories");
+    case Quantity::Illuminance:
+      break;
+  }
+  return tr("Direct and reflected light");
 }
 
 QString duration(double seconds)
@@ -102,10 +138,15 @@ QString describeTimes(const Run& run)
   return tr("%1 · finished").arg(elapsed);
 }
 
+QString nameOf(const Result& result)
+{
+  return result.name.isEmpty() ? result.settings.describe() : result.name;
+}
+
 QString describeShown(const Result& result)
 {
   const Method& method = methodOf(result.settings.method);
-  QStringList parts{QString::fromLatin1(method.key)};
+  QStringList parts{result.name.isEmpty() ? QString::fromLatin1(method.key) : result.name};
   if (method.usesDelta)
     parts << tr("δ %1").arg(lengthText(result.settings.delta));
   if (method.usesEpsilon)
@@ -128,6 +169,8 @@ QString describeQuality(const Result& result)
                           percent(quality.largest));
   if (quality.untrusted > 0)
     text += QLatin1Char('\n') + tr("%1 points not to be trusted").arg(grouped(quality.untrusted));
+  if (quality.invalid > 0)
+    text += QLatin1Char('\n') + tr("%1 points inside solids or outside left out").arg(grouped(quality.invalid));
   return text;
 }
 }  // namespace studio

@@ -15,11 +15,17 @@ QString explain(int method);
 
 QString title(Quantity quantity);
 
+/// What a quantity tells, in a sentence.
+QString explain(Quantity quantity);
+
 /// "4.2 s · about 11 s left"; "4.2 s · almost done" in the last second
 QString describeTimes(const Run& run);
 
 /// "4096 trajectories at 13 000 points / standard error 1.3 %, largest 9.8 % / 14 points not to be trusted"
 QString describeQuality(const Result& result);
+
+/// The name that a user gave a result, else its settings in a line.
+QString nameOf(const Result& result);
 
 /// What a picture of a result shows: "compensated · N 4096 · seed 1 · error 1.3 %".
 QString describeShown(const Result& result);

@@ -59,7 +59,7 @@ void ImageView::mouseMoveEvent(QMouseEvent* event)
          static_cast<int>((event->localPos().y() - place.top()) / place.height() * this->Shown.height())});
 }
 
-ImagePanel::ImagePanel(Workbench* bench, SceneView* view, QWidget* parent) : QWidget(parent), Bench(bench), Scene(view)
+void ImagePanel::makeControls()
 {
   this->View = new ImageView;
   this->View->setObjectName(QStringLiteral("imageView"));
@@ -70,14 +70,18 @@ ImagePanel::ImagePanel(Workbench* bench, SceneView* view, QWidget* parent) : QWi
   for (int rows : {128, 256, 512, 1024})
     this->Rows->addItem(tr("%1 rows").arg(rows), rows);
   this->Rows->setCurrentIndex(1);
-  auto button = [](const QString& text, const QString& name) {
+  this->Rows->setToolTip(tr("Height of the image in pixels"));
+  auto button = [](const QString& text, const QString& name, const QString& tip) {
     auto* made = new QPushButton(text);
     made->setObjectName(name);
+    made->setToolTip(tip);
     return made;
   };
-  this->Compute = button(tr("Compute from this view"), QStringLiteral("computeImage"));
-  this->Cancel = button(tr("Cancel"), QStringLiteral("cancelImage"));
-  this->Save = button(tr("Save as EXR…"), QStringLiteral("saveImage"));
+  this->Compute = button(tr("Compute from this view"), QStringLiteral("computeImage"),
+                         tr("Computes the luminance that the camera of the scene sees"));
+  this->Cancel = button(tr("Cancel"), QStringLiteral("cancelImage"), tr("Stops the image and keeps what it has"));
+  this->Save =
+      button(tr("Save as EXR…"), QStringLiteral("saveImage"), tr("Saves the luminance in cd/m², not the colours"));
   this->Progress = new QProgressBar;
   this->Progress->setRange(0, 1000);
   this->Progress->setTextVisible(false);
@@ -87,7 +91,11 @@ ImagePanel::ImagePanel(Workbench* bench, SceneView* view, QWidget* parent) : QWi
   this->Pixel = new QLabel;
   this->Pixel->setObjectName(QStringLiteral("imagePixel"));
   this->Pixel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+}
 
+ImagePanel::ImagePanel(Workbench* bench, SceneView* view, QWidget* parent) : QWidget(parent), Bench(bench), Scene(view)
+{
+  this->makeControls();
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(this->Rows);
   buttons->addWidget(this->Compute);

@@ -55,6 +55,7 @@ signals:
   void saveAsked();
 
 private:
+  void makeControls();
   void compute();
   void clear();
   void show();

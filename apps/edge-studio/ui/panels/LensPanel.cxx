@@ -101,7 +101,9 @@ LensPanel::LensPanel(Workbench* bench, SceneView* view, QWidget* parent) : QWidg
   this->EffortText = new QLabel;
   this->Measure = new QPushButton(tr("Measure both faces, all methods"));
   this->Measure->setObjectName(QStringLiteral("lensMeasure"));
+  this->Measure->setToolTip(tr("Runs every method on both faces, a tenth of a millimetre from the edge and on"));
   this->Stop = new QPushButton(tr("Stop"));
+  this->Stop->setToolTip(tr("Stops and keeps the methods that are done"));
   this->About = new QLabel;
   this->About->setObjectName(QStringLiteral("lensAbout"));
   this->About->setWordWrap(true);

@@ -34,16 +34,18 @@ MethodPanel::MethodPanel(Workbench* bench, QWidget* parent) : QWidget(parent), B
   layout->addLayout(this->makeForm());
 
   auto* buttons = new QHBoxLayout;
-  auto button = [&](const QString& text, const QString& name) {
+  auto button = [&](const QString& text, const QString& name, const QString& tip) {
     auto* made = new QPushButton(text);
     made->setObjectName(name);
+    made->setToolTip(tip);
     buttons->addWidget(made);
     return made;
   };
-  this->RunButton = button(tr("Run"), QStringLiteral("run"));
+  this->RunButton = button(tr("Run"), QStringLiteral("run"), tr("Computes the ticked sets of points (F5)"));
   this->RunButton->setDefault(true);
-  this->PauseButton = button(tr("Pause"), QStringLiteral("pause"));
-  this->CancelButton = button(tr("Cancel"), QStringLiteral("cancel"));
+  this->PauseButton = button(tr("Pause"), QStringLiteral("pause"), tr("Pauses the run, or continues it (F6)"));
+  this->CancelButton =
+      button(tr("Cancel"), QStringLiteral("cancel"), tr("Stops the run and keeps what it has found (Esc)"));
   layout->addLayout(buttons);
 
   this->Progress = new QProgressBar;
@@ -56,6 +58,9 @@ MethodPanel::MethodPanel(Workbench* bench, QWidget* parent) : QWidget(parent), B
   this->Errors = new QLabel;
   this->Errors->setObjectName(QStringLiteral("errors"));
   this->Errors->setWordWrap(true);
+  this->Errors->setToolTip(
+      tr("The standard error is the root mean square of the relative standard errors over all lit "
+         "points. A point is not to be trusted where a few scores dominate its estimate."));
   this->Errors->setMinimumHeight(3 * this->fontMetrics().lineSpacing());
   this->Errors->setAlignment(Qt::AlignTop);
   layout->addWidget(this->Times);
@@ -85,7 +90,11 @@ QFormLayout* MethodPanel::makeForm()
   this->GoalBox = new QComboBox;
   this->GoalBox->setObjectName(QStringLiteral("goal"));
   this->GoalBox->addItems({tr("Trajectories"), tr("Error, 95 %"), tr("Time")});
+  this->GoalBox->setToolTip(
+      tr("When a run ends: after so many trajectories, when every 95 % half-width is within an "
+         "error, or after a time"));
   this->Amount = new QDoubleSpinBox;
+  this->Amount->setToolTip(tr("How many, how exact or how long"));
   this->Amount->setObjectName(QStringLiteral("amount"));
   this->Amount->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   this->Delta = lengthBox(QStringLiteral("delta"), tr("Distance below which the kernel is averaged or clamped"));

@@ -5,24 +5,12 @@
 #include <QVBoxLayout>
 
 #include "common/Wording.h"
+#include "view/Marks.h"
 
 namespace studio
 {
 namespace
 {
-/// A cross of three short lines.
-QVector<QVector<Point>> cross(const Point& at, double size)
-{
-  QVector<QVector<Point>> lines;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    Point arm(0, 0, 0);
-    arm[axis] = size;
-    lines.append({at - arm, at + arm});
-  }
-  return lines;
-}
-
 QString metres(double length)
 {
   return length < 0.01 ? ProbePanel::tr("%1 mm").arg(1000 * length, 0, 'g', 3)
@@ -69,7 +57,7 @@ void ProbePanel::clear()
 void ProbePanel::probe(const Pick& pick)
 {
   this->Point.start(this->Bench->scene(), pick, this->Bench->settings());
-  emit this->marked(cross(pick.position, 0.012 * this->Bench->scene()->size()));
+  emit this->marked(crossAt(pick.position, 0.012 * this->Bench->scene()->size()));
 }
 
 void ProbePanel::show()
@@ -109,7 +97,10 @@ LinePanel::LinePanel(Workbench* bench, QWidget* parent) : QWidget(parent), Bench
   this->About->setWordWrap(true);
   this->Measure = new QPushButton(tr("Measure across the edge, all methods"));
   this->Measure->setObjectName(QStringLiteral("measure"));
+  this->Measure->setToolTip(
+      tr("Runs every method at points on the line, a tenth of a millimetre from the edge and on"));
   this->Stop = new QPushButton(tr("Stop"));
+  this->Stop->setToolTip(tr("Stops and keeps the methods that are done"));
   this->Against = new ChartView;
   this->Against->setObjectName(QStringLiteral("lineChart"));
   auto* buttons = new QHBoxLayout;

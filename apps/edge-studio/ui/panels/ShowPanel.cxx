@@ -6,9 +6,11 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
 
 #include "common/Wording.h"
+#include "results/Colours.h"
 
 namespace studio
 {
@@ -16,11 +18,12 @@ namespace
 {
 constexpr int computeColumn = 1, showColumn = 2;
 
-QDoubleSpinBox* rangeBox(const QString& name)
+QDoubleSpinBox* rangeBox(const QString& name, const QString& tip)
 {
   auto* box = new QDoubleSpinBox;
   box->setObjectName(name);
-  box->setRange(0, 1e9);
+  box->setToolTip(tip);
+  box->setRange(-1e9, 1e9);
   box->setDecimals(3);
   box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   box->setKeyboardTracking(false);
@@ -28,16 +31,16 @@ QDoubleSpinBox* rangeBox(const QString& name)
 }
 }  // namespace
 
-ShowPanel::ShowPanel(Workbench* bench, QWidget* parent) : QWidget(parent), Bench(bench)
+void ShowPanel::makeBoxes()
 {
   this->QuantityBox = new QComboBox;
   this->QuantityBox->setObjectName(QStringLiteral("quantity"));
-  for (Quantity q : {Quantity::Illuminance, Quantity::DirectIlluminance, Quantity::Luminance, Quantity::StandardError})
-    this->QuantityBox->addItem(tr("%1, %2").arg(title(q), unitOf(q)));
-  this->QuantityBox->setItemData(2,
-                                 tr("What surfaces send out diffusely, (ρE + M)/π; gloss and mirrors are in the "
-                                    "image"),
-                                 Qt::ToolTipRole);
+  for (Quantity q : quantities())
+  {
+    this->QuantityBox->addItem(unitOf(q).isEmpty() ? title(q) : tr("%1, %2").arg(title(q), unitOf(q)));
+    this->QuantityBox->setItemData(this->QuantityBox->count() - 1, explain(q), Qt::ToolTipRole);
+  }
+  this->QuantityBox->setToolTip(tr("What the colours show"));
   this->ScaleBox = new QComboBox;
   this->ScaleBox->setObjectName(QStringLiteral("scale"));
   this->ScaleBox->addItems({tr("Linear"), tr("Logarithmic"), tr("Photographic")});
@@ -45,9 +48,19 @@ ShowPanel::ShowPanel(Workbench* bench, QWidget* parent) : QWidget(parent), Bench
                               tr("Tone-mapped as a photograph: middle grey at the average, the upper end of the range "
                                  "white"),
                               Qt::ToolTipRole);
-  this->Low = rangeBox(QStringLiteral("low"));
-  this->High = rangeBox(QStringLiteral("high"));
-  auto check = [](const QString& text, const QString& name, const QString& tip = {}) {
+  this->ScaleBox->setToolTip(tr("How values become colours"));
+  this->ColoursBox = new QComboBox;
+  this->ColoursBox->setObjectName(QStringLiteral("colours"));
+  for (const QString& map : colourMaps())
+    this->ColoursBox->addItem(map);
+  this->ColoursBox->setToolTip(tr("Colour map: kalos has contrast, viridis and inferno suit colour-blind readers"));
+  this->Low = rangeBox(QStringLiteral("low"), tr("Lower end of the colours"));
+  this->High = rangeBox(QStringLiteral("high"), tr("Upper end of the colours"));
+}
+
+void ShowPanel::makeChecks()
+{
+  auto check = [](const QString& text, const QString& name, const QString& tip) {
     auto* box = new QCheckBox(text);
     box->setObjectName(name);
     box->setToolTip(tip);
@@ -56,15 +69,22 @@ ShowPanel::ShowPanel(Workbench* bench, QWidget* parent) : QWidget(parent), Bench
   this->Automatic = check(tr("Automatic range"), QStringLiteral("automatic"),
                           tr("Up to a round number above all but the highest half per cent of the values"));
   this->Smooth = check(tr("Smooth"), QStringLiteral("smooth"), tr("Interpolate between the points of a face"));
-  this->Isolines = check(tr("Isolines"), QStringLiteral("isolines"));
+  this->Isolines = check(tr("Isolines"), QStringLiteral("isolines"), tr("Lines of equal value, with their values"));
+  this->Values = check(tr("Values"), QStringLiteral("values"), tr("Writes values on calculation planes"));
   this->Edges = check(tr("Singular edges"), QStringLiteral("edges"),
                       tr("Concave edges, and dashed contacts; the brighter, the narrower the angle"));
   this->Luminaires = check(tr("Luminaires"), QStringLiteral("luminaires"), tr("With their photometric solids"));
+}
 
+ShowPanel::ShowPanel(Workbench* bench, QWidget* parent) : QWidget(parent), Bench(bench)
+{
+  this->makeBoxes();
+  this->makeChecks();
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("&Quantity"), this->QuantityBox);
   form->addRow(tr("S&cale"), this->ScaleBox);
+  form->addRow(tr("C&olours"), this->ColoursBox);
   auto* range = new QHBoxLayout;
   range->addWidget(this->Low);
   range->addWidget(this->High);
@@ -75,6 +95,7 @@ ShowPanel::ShowPanel(Workbench* bench, QWidget* parent) : QWidget(parent), Bench
   checks->addWidget(this->Isolines, 0, 1);
   checks->addWidget(this->Edges, 1, 0);
   checks->addWidget(this->Luminaires, 1, 1);
+  checks->addWidget(this->Values, 2, 0);
 
   this->makeSets();
   auto* layout = new QVBoxLayout(this);
@@ -99,13 +120,14 @@ void ShowPanel::makeSets()
   this->Sets->header()->setSectionResizeMode(showColumn, QHeaderView::ResizeToContents);
   this->Sets->header()->setStretchLastSection(false);
   this->Sets->setMinimumHeight(110);
+  this->Sets->setToolTip(tr("Sets of points: what a run computes, and what the view shows"));
 }
 
 void ShowPanel::connectAll()
 {
-  for (QComboBox* box : {this->QuantityBox, this->ScaleBox})
+  for (QComboBox* box : {this->QuantityBox, this->ScaleBox, this->ColoursBox})
     connect(box, qOverload<int>(&QComboBox::activated), this, &ShowPanel::write);
-  for (QCheckBox* box : {this->Automatic, this->Smooth, this->Isolines, this->Edges, this->Luminaires})
+  for (QCheckBox* box : {this->Automatic, this->Smooth, this->Isolines, this->Values, this->Edges, this->Luminaires})
     connect(box, &QCheckBox::toggled, this, &ShowPanel::write);
   for (QDoubleSpinBox* box : {this->Low, this->High})
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ShowPanel::write);
@@ -121,12 +143,16 @@ void ShowPanel::read()
   const QSignalBlocker blockers[] = {QSignalBlocker(this->Automatic),  QSignalBlocker(this->Smooth),
                                      QSignalBlocker(this->Isolines),   QSignalBlocker(this->Edges),
                                      QSignalBlocker(this->Luminaires), QSignalBlocker(this->Low),
-                                     QSignalBlocker(this->High)};
+                                     QSignalBlocker(this->High),       QSignalBlocker(this->Values)};
   this->QuantityBox->setCurrentIndex(static_cast<int>(d.quantity));
   this->ScaleBox->setCurrentIndex(static_cast<int>(d.scale));
   this->Automatic->setChecked(d.automaticRange);
   this->Smooth->setChecked(d.smooth);
   this->Isolines->setChecked(d.isolines);
+  this->Values->setChecked(d.values);
+  this->ColoursBox->setCurrentText(d.colours);
+  this->ColoursBox->setEnabled(d.scale != Scale::Photographic && !isSigned(d.quantity));
+  this->enableQuantities();
   this->Edges->setChecked(d.edges);
   this->Luminaires->setChecked(d.luminaires);
   const auto range = rangeOf(this->Bench->onOneScale(), d);
@@ -136,15 +162,27 @@ void ShowPanel::read()
   this->High->setEnabled(!d.automaticRange);
 }
 
+// What the shown result does not have cannot be chosen.
+void ShowPanel::enableQuantities()
+{
+  auto* items = qobject_cast<QStandardItemModel*>(this->QuantityBox->model());
+  const ResultPtr result = this->Bench->shown();
+  for (Quantity q : quantities())
+    items->item(static_cast<int>(q))->setEnabled(!result || hasQuantity(*result, q));
+}
+
 void ShowPanel::write()
 {
   Display d = this->Bench->display();
-  const bool wasAutomatic = d.automaticRange;
-  d.quantity = static_cast<Quantity>(this->QuantityBox->currentIndex());
+  const auto quantity = static_cast<Quantity>(this->QuantityBox->currentIndex());
+  const bool wasAutomatic = d.automaticRange, other = quantity != d.quantity;
+  d.quantity = quantity;
   d.scale = static_cast<Scale>(this->ScaleBox->currentIndex());
-  d.automaticRange = this->Automatic->isChecked();
+  d.automaticRange = this->Automatic->isChecked() || other;  // a range says nothing about another quantity
   d.smooth = this->Smooth->isChecked();
   d.isolines = this->Isolines->isChecked();
+  d.values = this->Values->isChecked();
+  d.colours = this->ColoursBox->currentText();
   d.edges = this->Edges->isChecked();
   d.luminaires = this->Luminaires->isChecked();
   if (!d.automaticRange)
@@ -152,7 +190,7 @@ void ShowPanel::write()
     // Leaving the automatic range starts from it; an empty one is widened at its upper end.
     d.range = wasAutomatic ? rangeOf(this->Bench->onOneScale(), this->Bench->display())
                            : std::array<double, 2>{this->Low->value(), this->High->value()};
-    if (d.scale == Scale::Logarithmic && !(d.range[0] > 0))
+    if (d.scale == Scale::Logarithmic && !isSigned(d.quantity) && !(d.range[0] > 0))
       d.range[0] = 1e-3 * std::max(1.0, d.range[1]);
     if (!(d.range[0] < d.range[1]))
       d.range[1] = d.range[0] + 1;

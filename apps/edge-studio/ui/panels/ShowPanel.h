@@ -20,16 +20,19 @@ public:
   explicit ShowPanel(Workbench* bench, QWidget* parent = nullptr);
 
 private:
+  void makeBoxes();
+  void makeChecks();
   void makeSets();
   void connectAll();
   void read();   // from the bench into the widgets
   void write();  // the other way
+  void enableQuantities();
   void listSets();
   void setToggled();
 
   Workbench* Bench;
-  QComboBox *QuantityBox, *ScaleBox;
-  QCheckBox *Automatic, *Smooth, *Isolines, *Edges, *Luminaires;
+  QComboBox *QuantityBox, *ScaleBox, *ColoursBox;
+  QCheckBox *Automatic, *Smooth, *Isolines, *Values, *Edges, *Luminaires;
   QDoubleSpinBox *Low, *High;
   QTreeWidget* Sets;
 };

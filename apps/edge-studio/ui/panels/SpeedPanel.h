@@ -3,6 +3,8 @@
 #ifndef studio_SpeedPanel_h
 #define studio_SpeedPanel_h
 
+#include <QComboBox>
+#include <QLabel>
 #include <QPushButton>
 
 #include "charts/ChartView.h"
@@ -20,9 +22,13 @@ public:
 
 private:
   void runAll();
+  void show();
+  void showRatios();
 
   Workbench* Bench;
   ChartView* View;
+  QComboBox* Base;
+  QLabel* Ratios;
 };
 }  // namespace studio
 

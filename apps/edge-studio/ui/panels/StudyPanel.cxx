@@ -78,11 +78,15 @@ StudyPanel::StudyPanel(Workbench* bench, SceneView* view, QWidget* parent) : QWi
   this->Epsilons = listEdit(QStringLiteral("studyEpsilons"), QStringLiteral("0.05, 0.2, auto"), metres);
   this->Start = new QPushButton(tr("Run the study with the chosen method"));
   this->Start->setObjectName(QStringLiteral("study"));
+  this->Start->setToolTip(tr("Runs every combination of the values above"));
   this->Redraw = new QPushButton(tr("Draw from here"));
   this->Redraw->setObjectName(QStringLiteral("studyRedraw"));
   this->Redraw->setToolTip(tr("Draws the pictures as the scene is seen now"));
   this->Grid = new QTableWidget;
   this->Grid->setObjectName(QStringLiteral("studyGrid"));
+  this->Grid->setToolTip(
+      tr("The error is the root mean square of the deviations from the truth or the reference, the "
+         "bias their mean, both relative to its mean"));
   this->Grid->setIconSize({pictureSize, pictureSize});
   this->Grid->setItemDelegate(new PictureDelegate(this->Grid));
   this->Grid->setEditTriggers(QAbstractItemView::NoEditTriggers);

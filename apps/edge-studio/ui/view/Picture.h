@@ -18,6 +18,7 @@ struct Picture
   QString array;
   vtkSmartPointer<vtkLookupTable> colours;
   QVector<double> isolines;
+  bool values = false;               ///< written on planes
   std::optional<Exposure> exposure;  ///< the array has linear red, green and blue, to be shown as a photograph
 };
 }  // namespace studio

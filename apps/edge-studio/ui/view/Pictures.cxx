@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/Pictures.h"
 
+#include <cmath>
+
 #include "base/DataSets.h"
 #include "common/Wording.h"
 #include "results/Colours.h"
@@ -19,7 +21,10 @@ vtkSmartPointer<vtkLookupTable> tableFor(const QVector<ResultPtr>& results, cons
 {
   if (display.scale == Scale::Photographic)
     return photographicGreys(exposureOf(results, display));
-  return falseColours(rangeOf(results, display), display.scale == Scale::Logarithmic);
+  const auto range = rangeOf(results, display);
+  if (isSigned(display.quantity))
+    return differenceColours(std::max(std::abs(range[0]), std::abs(range[1])));
+  return falseColours(range, display.scale == Scale::Logarithmic, display.colours);
 }
 
 bool hasColours(const ResultPtr& result)
@@ -44,7 +49,8 @@ ShownPictures pictureOf(const ResultPtr& result, const QVector<ResultPtr>& shari
   picture.data = result ? result->data : nullptr;
   picture.array = QString::fromLatin1(arrayName(display.quantity));
   picture.colours = tableFor(sharing, display);
-  if (display.isolines)
+  picture.values = display.values;
+  if (display.isolines && display.quantity != Quantity::Untrusted)
     picture.isolines = roundValues(rangeOf(sharing, display), display.scale == Scale::Logarithmic, 10);
   if (result && isColourPhotograph(result, display))
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/ReceiverActors.h"
 
+#include "view/ValueLabels.h"
 #include "vtkActor.h"
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
@@ -79,13 +80,13 @@ void ReceiverActors::setScene(const ScenePtr& scene)
 void ReceiverActors::clear()
 {
   for (const auto& actor : this->Actors)
-    this->Renderer->RemoveActor(actor);
+    this->Renderer->RemoveViewProp(actor);
   this->Actors.clear();
 }
 
-void ReceiverActors::addActor(vtkActor* actor)
+void ReceiverActors::addActor(vtkProp* actor)
 {
-  this->Renderer->AddActor(actor);
+  this->Renderer->AddViewProp(actor);
   this->Actors << actor;
 }
 
@@ -168,6 +169,9 @@ void ReceiverActors::add(const NamedSet& set, const Picture& picture, bool smoot
   actor->GetProperty()->SetPointSize(static_cast<float>(7 * pixelRatio));
   actor->GetProperty()->SetBackfaceCulling(!ofPoints && !plane);
   this->addActor(actor);
+  if (plane && picture.values)
+    for (const auto& label : cellLabels(set.data, arrayOf(set.data, name.constData()), lift, pixelRatio))
+      this->addActor(label);
   if (plane)  // it hides what is below it: its border says that it is a plane
     this->addLines(this->borderOf(set), {0.75, 0.77, 0.8}, {0, 0, 0}, pixelRatio);
 }
@@ -191,5 +195,7 @@ void ReceiverActors::addIsolines(vtkDataSet* points, const Picture& picture, con
     contours->SetValue(i, picture.isolines[i]);
   contours->Update();
   this->addLines(contours->GetOutput(), {1, 1, 1}, lift, pixelRatio);
+  for (const auto& label : contourLabels(contours->GetOutput(), picture.array.toUtf8().constData(), lift, pixelRatio))
+    this->addActor(label);
 }
 }  // namespace studio

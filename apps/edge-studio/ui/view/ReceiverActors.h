@@ -31,14 +31,14 @@ private:
   vtkPolyData* borderOf(const NamedSet& set);
   /// With the array at its points, in finer cells where there are some.
   vtkSmartPointer<vtkPolyData> interpolated(const NamedSet& set, const QByteArray& array) const;
-  void addActor(vtkActor* actor);
+  void addActor(vtkProp* actor);
   void addLines(vtkPolyData* lines, const Point& colour, const Point& lift, double pixelRatio);
   void addIsolines(vtkDataSet* points, const Picture& picture, const Point& lift, double pixelRatio);
 
   vtkRenderer* Renderer;
   ScenePtr Scene;
   QHash<QString, vtkSmartPointer<vtkPolyData>> Borders;
-  QVector<vtkSmartPointer<vtkActor>> Actors;
+  QVector<vtkSmartPointer<vtkProp>> Actors;
 };
 }  // namespace studio
 

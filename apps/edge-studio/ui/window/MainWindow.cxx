@@ -8,6 +8,7 @@
 
 #include "common/Wording.h"
 #include "panels/ComparePanel.h"
+#include "panels/EditPanel.h"
 #include "panels/ImagePanel.h"
 #include "panels/LensPanel.h"
 #include "panels/MethodPanel.h"
@@ -15,8 +16,10 @@
 #include "panels/ShowPanel.h"
 #include "panels/SpeedPanel.h"
 #include "panels/StudyPanel.h"
+#include "panels/ValuesPanel.h"
 #include "results/Colours.h"
 #include "session/Preferences.h"
+#include "view/Marks.h"
 #include "view/Pictures.h"
 
 namespace studio
@@ -53,6 +56,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent)
   connect(this->Image, &ImagePanel::changed, this, &MainWindow::showLegend);
   connect(this->Image, &ImagePanel::saveAsked, this, &MainWindow::exportImageAs);
   connect(this->Centre, &QTabWidget::currentChanged, this, &MainWindow::showLegend);
+  connect(&this->Watcher, &QFileSystemWatcher::fileChanged, this, [this] {
+    this->statusBar()->showMessage(
+        tr("%1 has changed on disk: File > Reload the scene reads it again.").arg(this->Bench.scene()->name()));
+  });
   connect(&this->Bench, &Workbench::problem, this, &MainWindow::complain);
   connect(&this->Bench, &Workbench::runBegan, this, &MainWindow::autosave);
   connect(&this->Bench, &Workbench::runEnded, this, &MainWindow::autosave);
@@ -85,6 +92,10 @@ void MainWindow::makePanels()
   tabs->addTab(new StudyPanel(&this->Bench, this->View), tr("Study"));
   tabs->addTab(new SpeedPanel(&this->Bench), tr("Speed"));
   tabs->addTab(lens, tr("Lens"));
+  auto* values = new ValuesPanel(&this->Bench);
+  tabs->addTab(values, tr("Values"));
+  auto* edit = new EditPanel(&this->Bench);
+  tabs->addTab(edit, tr("Edit"));
   tabs->setMinimumWidth(400);
   auto* side = new QDockWidget(tr("Analysis"));
   side->setObjectName(QStringLiteral("studyDock"));
@@ -92,10 +103,15 @@ void MainWindow::makePanels()
   this->addDockWidget(Qt::RightDockWidgetArea, side);
 
   connect(this->Compare, &ComparePanel::changed, this, &MainWindow::showResult);
+  connect(this->View, &SceneView::picked, edit, &EditPanel::aim);
+  connect(edit, &EditPanel::editAsked, this, &MainWindow::editScene);
+  connect(edit, &EditPanel::saveAsked, this, &MainWindow::saveSceneAs);
   connect(this->View, &SceneView::picked, probe, &ProbePanel::probe);
   connect(this->View, &SceneView::picked, line, &LinePanel::aim);
   connect(probe, &ProbePanel::marked, this, [this](const auto& lines) { this->mark(0, lines); });
   connect(line, &LinePanel::marked, this, [this](const auto& lines) { this->mark(1, lines); });
+  connect(values, &ValuesPanel::placeChosen, this,
+          [this](const Point& place) { this->mark(0, crossAt(place, this->Bench.scene()->size() / 60)); });
   connect(lens, &LensPanel::marked, this, [this](const auto& lines) { this->mark(2, lines); });
 }
 
@@ -116,9 +132,15 @@ void MainWindow::updatePicking()
 void MainWindow::showScene()
 {
   const ScenePtr& scene = this->Bench.scene();
-  this->setWindowTitle(tr("%1 – Edge Studio").arg(scene->name()));
+  this->setWindowTitle(
+      (this->Bench.isEdited() ? tr("%1, edited – Edge Studio") : tr("%1 – Edge Studio")).arg(scene->name()));
   this->Marks = {};
+  const CameraPreset camera = this->View->camera();
   this->View->setScene(scene);
+  if (scene->path() == this->ShownPath)  // edited or read again
+    this->View->look(camera);
+  this->ShownPath = scene->path();
+  this->watchFile();
   this->listCameras();
   this->updatePicking();
   this->showResult();
@@ -141,12 +163,8 @@ void MainWindow::showResult()
   const ComparePanel::Mode mode = result ? this->Compare->mode() : ComparePanel::Mode::Off;
   const bool two = mode == ComparePanel::Mode::SideBySide || mode == ComparePanel::Mode::Swipe;
   ShownPictures shown;
-  if (mode == ComparePanel::Mode::Difference)
-  {
-    shown.first = {
-        this->Compare->comparison().data, QString::fromLatin1(Comparison::arrayName), differenceColours(5), {}, {}};
-    shown.legend = {shown.first.colours, tr("Difference"), tr("std. errors"), {}, {}};
-  }
+  if (result && this->Compare->showsDifference())
+    shown = this->Compare->differencePicture();
   else if (two)
     shown = picturesOf(result, this->Compare->other(), display);
   else if (result)
@@ -160,8 +178,9 @@ void MainWindow::showResult()
     this->View->setLayoutMode(layout);
   const QString caption = result ? describeShown(*result) : QString(),
                 other = mode != ComparePanel::Mode::Off ? describeShown(*this->Compare->other()) : QString();
-  this->View->setCaptions(mode == ComparePanel::Mode::Difference ? tr("%1  minus  %2").arg(caption, other) : caption,
-                          two ? other : QString());
+  this->View->setCaptions(
+      result && this->Compare->showsDifference() ? tr("%1  minus  %2").arg(caption, other) : caption,
+      two ? other : QString());
   this->View->paint(shown.first, shown.second, display);
   this->SceneLegend = shown.legend;
   this->showLegend();

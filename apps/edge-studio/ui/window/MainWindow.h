@@ -3,6 +3,7 @@
 #ifndef studio_MainWindow_h
 #define studio_MainWindow_h
 
+#include <QFileSystemWatcher>
 #include <QMainWindow>
 #include <functional>
 
@@ -63,6 +64,11 @@ private:
   bool saveSessionAs();
   bool mayDropResults();
   bool offerTurning();
+  void offerUnits();
+  void editScene(const QJsonObject& draft);
+  bool saveSceneAs();
+  void reload();
+  void watchFile();
   void exportPictureAs();
   void exportResultsTo();
   void exportImageAs();
@@ -78,6 +84,8 @@ private:
   Legend SceneLegend;
   ComparePanel* Compare;
   std::array<QVector<QVector<Point>>, 3> Marks;  // of the probe, of the line and of the lens
+  QString ShownPath;
+  QFileSystemWatcher Watcher;
   QMenu *RecentMenu, *CameraMenu;
 };
 }  // namespace studio

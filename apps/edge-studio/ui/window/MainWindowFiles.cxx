@@ -12,6 +12,7 @@
 
 #include "base/Problem.h"
 #include "common/SaveDialog.h"
+#include "common/UnitDialog.h"
 #include "panels/ImagePanel.h"
 #include "session/Preferences.h"
 #include "session/Session.h"
@@ -35,13 +36,18 @@ void MainWindow::makeFileMenu()
   QAction* last = add(tr("Reopen the &last session"), {}, [this] { this->openFile(lastSessionPath()); });
   connect(file, &QMenu::aboutToShow, this, [last] { last->setEnabled(QFileInfo(lastSessionPath()).isFile()); });
   add(tr("&Save the session…"), QKeySequence::Save, [this] { this->saveSessionAs(); });
+  QAction* scene = add(tr("Save the s&cene…"), QKeySequence::SaveAs, [this] { this->saveSceneAs(); });
+  QAction* again = add(tr("Re&load the scene"), QKeySequence::Refresh, [this] { this->reload(); });
+  again->setObjectName(QStringLiteral("reload"));
   file->addSeparator();
   QAction* picture = add(tr("Export the &picture…"), Qt::CTRL | Qt::Key_P, [this] { this->exportPictureAs(); });
   QAction* image =
       add(tr("Export the &image as EXR…"), Qt::CTRL | Qt::SHIFT | Qt::Key_E, [this] { this->exportImageAs(); });
   image->setObjectName(QStringLiteral("exportImage"));
   QAction* results = add(tr("Export the &values…"), Qt::CTRL | Qt::Key_E, [this] { this->exportResultsTo(); });
-  auto enable = [this, picture, image, results] {
+  auto enable = [this, scene, again, picture, image, results] {
+    scene->setEnabled(this->Bench.scene() != nullptr);
+    again->setEnabled(this->Bench.scene() != nullptr);
     image->setEnabled(this->Bench.image().result() != nullptr);
     picture->setEnabled(this->Bench.scene() != nullptr);
     results->setEnabled(this->Bench.shown() != nullptr);
@@ -79,6 +85,7 @@ bool MainWindow::openFile(const QString& path)
     return opened;
   if (this->Bench.scene()->facesOutward() && this->offerTurning())
     this->attempt([&] { this->Bench.open(path, true); });
+  this->offerUnits();
   if (lightsOnOpening())
     this->Bench.runUnasked();
   return true;
@@ -117,12 +124,57 @@ bool MainWindow::saveSessionAs()
   });
 }
 
+// Of a model or a bare mesh that is hardly a room or a building in metres.
+void MainWindow::offerUnits()
+{
+  const ScenePtr scene = this->Bench.scene();
+  if (scene->path().endsWith(QLatin1String(".json"), Qt::CaseInsensitive) || !isImplausible(scene->size()))
+    return;
+  UnitDialog dialog(scene->size(), this);
+  if (dialog.exec() == QDialog::Accepted)
+    this->attempt([&] { this->Bench.edit(dialog.applied(this->Bench.draft())); });
+  this->View->lookAlong({0.35, 0.8, -0.45}, {0, 0, 1});
+}
+
+void MainWindow::editScene(const QJsonObject& draft)
+{
+  if (this->Bench.hasUnsavedResults() && !this->mayDropResults())
+    return;
+  if (this->attempt([&] { this->Bench.edit(draft); }) && lightsOnOpening())
+    this->Bench.runUnasked();
+}
+
+bool MainWindow::saveSceneAs()
+{
+  const QString path = askSavePath(this, tr("Save the scene"), {{tr("Scene"), QStringLiteral("json")}});
+  return !path.isEmpty() && this->attempt([&] { this->Bench.saveScene(path); });
+}
+
+void MainWindow::reload()
+{
+  if (!this->mayDropResults())
+    return;
+  const QString path = this->Bench.scene()->path();
+  const bool turned = this->Bench.scene()->isTurned();
+  if (this->attempt([&] { this->Bench.open(path, turned); }) && lightsOnOpening())
+    this->Bench.runUnasked();
+}
+
+void MainWindow::watchFile()
+{
+  if (!this->Watcher.files().isEmpty())
+    this->Watcher.removePaths(this->Watcher.files());
+  this->Watcher.addPath(this->Bench.scene()->path());
+}
+
 bool MainWindow::mayDropResults()
 {
   if (!this->Bench.unsaved())
     return true;
+  const QString name = this->Bench.scene()->name();
   QMessageBox box(QMessageBox::Question, tr("Edge Studio"),
-                  tr("The results of %1 are not saved.").arg(this->Bench.scene()->name()),
+                  this->Bench.hasUnsavedResults() ? tr("The results of %1 are not saved.").arg(name)
+                                                  : tr("The changes of %1 are not saved.").arg(name),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box.setObjectName(QStringLiteral("dropping"));
   box.setInformativeText(tr("Another scene takes their place, and a run ends."));
@@ -205,7 +257,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
   this->Bench.cancel();
   this->Bench.image().cancel();
   const QVector<ResultPtr>& results = this->Bench.results();
-  if (std::any_of(results.begin(), results.end(), [](const ResultPtr& result) { return result && !result->preview; }))
+  if (this->Bench.isEdited() ||
+      std::any_of(results.begin(), results.end(), [](const ResultPtr& result) { return result && !result->preview; }))
     this->saveQuietly(lastSessionPath());
   removeSession(autosavePath());
   setWindowLayout(this->saveState());

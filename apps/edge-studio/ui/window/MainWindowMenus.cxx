@@ -21,8 +21,8 @@ void MainWindow::makeMenus()
   };
   this->makeFileMenu();
   QMenu* edit = this->menuBar()->addMenu(tr("&Edit"));
-  QAction* undo = add(edit, tr("&Undo setting"), QKeySequence::Undo, [this] { this->Bench.undo(); });
-  QAction* redo = add(edit, tr("&Redo setting"), QKeySequence::Redo, [this] { this->Bench.redo(); });
+  QAction* undo = add(edit, tr("&Undo"), QKeySequence::Undo, [this] { this->Bench.undo(); });
+  QAction* redo = add(edit, tr("&Redo"), QKeySequence::Redo, [this] { this->Bench.redo(); });
   undo->setObjectName(QStringLiteral("undo"));
   auto enable = [this, undo, redo] {
     undo->setEnabled(this->Bench.canUndo());
