@@ -52,13 +52,11 @@ def draw(path, found):
     FigureCanvasAgg(figure)
     axes = figure.add_axes((0.09, 0.13, 0.56, 0.7))
     axes.axhline(1, color="0.4", linewidth=1, linestyle="--")
-    axes.text(CONNECTIONS[-1] + 0.25, 1, "all connections", fontsize=9, color="0.35", va="center")
     ends = sorted((min(max(costs[-1], 0.05), HIGHEST), title) for title, costs in found.items())
     places, step = {}, 0.42
     for value, title in ends:
         last = max(places.values(), default=-np.inf)
-        y = max(np.log(value), last + step)
-        places[title] = y + step if abs(y) < step else y
+        places[title] = max(np.log(value), last + step)
     for colour, (title, costs) in zip(COLOURS, found.items()):
         shown = np.minimum(costs, HIGHEST)
         axes.plot(CONNECTIONS, shown, color=colour, linewidth=1.8, marker="o", markersize=4.5, clip_on=False)
@@ -76,7 +74,7 @@ def draw(path, found):
         axes.spines[side].set_visible(False)
     axes.set_ylabel("squared error × time, over that of all")
     figure.text(0.09, 0.95, "What n-fold local estimates are worth", fontsize=13.5, va="top")
-    figure.text(0.09, 0.885, f"{len(SEEDS)} seeds of {TRAJECTORIES} trajectories; one thread; where a path is shorter, its longest connection.",
+    figure.text(0.09, 0.885, f"{len(SEEDS)} seeds of {TRAJECTORIES} trajectories; one thread; a shorter path has its longest connection. Dashed: all together.",
                 fontsize=9, color="0.4", va="top")
     figure.savefig(path, metadata={"Software": None})
 
