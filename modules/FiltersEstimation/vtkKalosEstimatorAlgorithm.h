@@ -150,45 +150,23 @@ public:
 
   ///@{
   /**
-   * PHOTON_MAP: count the nearest so many photons instead of those within a radius. Default 0: a radius.
+   * What single methods let one choose. Photons of PHOTON_MAP: count the nearest so many; default 0, those within a
+   * radius. ConeFilter of PHOTON_MAP: photons count less the farther they are; default off. FinalGather of PHOTON_MAP
+   * and RADIOSITY: read the map or the elements where rays from the receivers end; default off. LinearElements of
+   * RADIOSITY, else constant ones; default on. Connections of BIDIRECTIONAL: 1 local estimates only, 2 double ones, 3
+   * triple ones, ...; default 0, all, weighed by the balance heuristic.
    */
   vtkSetMacro(Photons, int);
   vtkGetMacro(Photons, int);
-  ///@}
-
-  ///@{
-  /**
-   * PHOTON_MAP: let photons count less the farther they are (cone filter). Default off.
-   */
   vtkSetMacro(ConeFilter, bool);
   vtkGetMacro(ConeFilter, bool);
   vtkBooleanMacro(ConeFilter, bool);
-  ///@}
-
-  ///@{
-  /**
-   * PHOTON_MAP, RADIOSITY: read the map or the elements where rays from the receivers end, instead of at the
-   * receivers. Default off.
-   */
   vtkSetMacro(FinalGather, bool);
   vtkGetMacro(FinalGather, bool);
   vtkBooleanMacro(FinalGather, bool);
-  ///@}
-
-  ///@{
-  /**
-   * RADIOSITY: linear elements, else constant ones. Default on.
-   */
   vtkSetMacro(LinearElements, bool);
   vtkGetMacro(LinearElements, bool);
   vtkBooleanMacro(LinearElements, bool);
-  ///@}
-
-  ///@{
-  /**
-   * BIDIRECTIONAL: 1 local estimates only, 2 double ones, 3 triple ones, ... Default 0: all, weighed by the balance
-   * heuristic.
-   */
   vtkSetMacro(Connections, int);
   vtkGetMacro(Connections, int);
   ///@}
