@@ -48,6 +48,10 @@ public:
   /// Luminous share of the lobe in pi f, [0, 1].
   double lobeShare(const Vec3& n, const Vec3& wi, const Vec3& wo) const;
 
+  /// What the diffuse part keeps of Lambert's law: pi f = rho incidence(mu_i) towards(mu_o), which is 1 without a lobe.
+  double diffuseIncidence(double mu) const { return this->Surface.specular > 0 ? 1 - this->lobeAlbedo(mu) : 1; }
+  double diffuseTowards(double mu) const { return this->diffuseIncidence(mu) / (1 - this->MeanAlbedo); }
+
   /// Width alpha of the distribution of normals, and the lobe's albedo A(mu).
   double lobeWidth() const { return this->Alpha; }
   double lobeAlbedo(double mu) const;

@@ -82,8 +82,12 @@ Scene::Scene(SceneDescription description)
       Origin(recentre(this->Data, this->Size)),
       Rays(this->Data.points, this->Data.triangles)
 {
-  for (const Material& material : this->Data.materials)
+  for (Material material : this->Data.materials)
+  {
     this->Brdfs.emplace_back(material, this->Data.bands);
+    material.reflectance = {};
+    this->Lobes.emplace_back(material, this->Data.bands);
+  }
   const auto count = static_cast<std::uint32_t>(this->Data.triangles.size());
   this->Normals.resize(count);
   this->Areas.resize(count);

@@ -57,6 +57,8 @@ public:
   {
     return this->Data.materials[this->Data.triangleMaterial[triangle]];
   }
+  /// The lobe and the mirror share of a triangle's material, without its diffuse part.
+  const Brdf& lobe(std::uint32_t triangle) const { return this->Lobes[this->Data.triangleMaterial[triangle]]; }
   const Brdf& brdf(std::uint32_t triangle) const { return this->Brdfs[this->Data.triangleMaterial[triangle]]; }
 
   /// Surfaces as messages name them, and the one that a triangle belongs to.
@@ -137,7 +139,7 @@ private:
   double Size = 0;
   Vec3 Origin;
   RayScene Rays;
-  std::vector<Brdf> Brdfs;  // one per material
+  std::vector<Brdf> Brdfs, Lobes;  // one per material
   std::vector<Vec3> Normals;
   std::vector<double> Areas;
   std::vector<Lift> Lifts;

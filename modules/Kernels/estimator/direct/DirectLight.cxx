@@ -192,7 +192,7 @@ bool DirectLight::sampleUnshadowed(const Sensor& sensor, SampleStream& random, S
   if (!this->aim(sensor, random, aimed, sample.light, known))
     return false;
   sample.target = aimed.target;
-  if (!sensor.brdf)
+  if (!sensor.brdf && !sensor.diffuseOf)
     return true;
   const Bands weight = responseToLuminaires(sensor, aimed.direction, this->Scene_.bands());
   for (int b = 0; b < this->Scene_.bands(); ++b)
@@ -225,6 +225,9 @@ void DirectLight::sample(const Sensor* sensors, int count, SampleStream& random,
       light[i] = {};
       continue;
     }
+    if (sensors[i].diffuseOf)
+      for (int b = 0; b < this->Scene_.bands(); ++b)
+        light[i][b] *= incidence(sensors[i], sample.direction);
     packet.set(rays, sensors[i].anchor, sample.target);
     lit[rays++] = i;
   }

@@ -20,8 +20,15 @@ constexpr double keptPathsOnly = 20;
 
 std::size_t WavefrontGather::add(const Sensor& sensor, const Start& start, const SampleStream& random, bool first)
 {
-  this->Paths.push_back(
-      {sensor, random, uniformBands(1), start.share, start.seesEmission, start.doublePrecision, first, {}});
+  this->Paths.push_back({sensor,
+                         random,
+                         uniformBands(start.factor),
+                         start.share,
+                         start.seesEmission,
+                         start.doublePrecision,
+                         start.lobeOnly,
+                         first,
+                         {}});
   this->Found.resize(2 * this->Count * this->Paths.size(), 0);
   return this->Paths.size() - 1;
 }
@@ -37,7 +44,7 @@ std::size_t WavefrontGather::follow(const Sensor& sensor, const Vec3& direction,
                                     const Start& start, const SampleStream& random)
 {
   const std::size_t i = this->add(sensor, start, random, true);
-  this->Paths[i].sampled = {direction, dot(direction, sensor.normal) / pi, false, keptLobeShare(sensor, direction)};
+  this->Paths[i].sampled = {direction, gatherDensity(sensor, direction), false, keptLobeShare(sensor, direction)};
   if (this->advance(i, y))
     this->Active.push_back(i);
   return i;
@@ -97,10 +104,27 @@ bool WavefrontGather::draw(PathState& path) const
   {
     const Vec3 direction = Frame(sensor.normal).toWorld(cosineHemisphere(u1, u2));
     path.sampled = {direction, dot(direction, sensor.normal) / pi, false, keptLobeShare(sensor, direction)};
+    if (sensor.diffuseOf)
+      for (double& t : path.throughput)
+        t *= incidence(sensor, direction);
     return path.sampled.density > 0;
   }
   const Bands white = uniformBands(1);
-  const BrdfSample sample = sensor.brdf->sample(sensor.normal, sensor.outgoing, white, path.random.next(), u1, u2);
+  double u0 = path.random.next();
+  if (path.lobeOnly)
+  {
+    // More rays than the little that a lobe reflects would have: its error shrinks with its energy.
+    const double reflected =
+        sensor.brdf->material().mirror + sensor.brdf->albedo(dot(sensor.normal, sensor.outgoing), white);
+    const double drawn = std::min(1.0, kept * reflected);
+    if (u0 >= drawn)
+      return false;
+    u0 *= reflected / drawn;
+    for (double& t : path.throughput)
+      t *= reflected / drawn;
+    path.lobeOnly = false;
+  }
+  const BrdfSample sample = sensor.brdf->sample(sensor.normal, sensor.outgoing, white, u0, u1, u2);
   if (!sample.alive || (sample.mirror && !sensor.followsMirror))
     return false;
   path.sampled = {sample.direction, sample.density, sample.mirror,
@@ -137,7 +161,7 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
   // The hit becomes the next sensor: for illuminance, or for its response towards the previous one.
   Sensor next(scene.anchor(y));
   next.highlightsApart = this->Rays.highlights().any();
-  const Brdf& brdf = scene.brdf(y.triangle);
+  const Brdf& brdf = path.lobeOnly ? scene.lobe(y.triangle) : scene.brdf(y.triangle);
   if (brdf.isLambertian())
     for (int b = 0; b < scene.bands(); ++b)
       path.throughput[b] *= gatheredShare(ratio) * brdf.material().reflectance[b];
@@ -203,6 +227,8 @@ void WavefrontGather::addLuminaires(std::size_t i)
   PathState& path = this->Paths[i];
   DirectLight::Sample sample;
   Bands known{};
+  if (path.lobeOnly && path.at.keptLobe == 0)
+    return;
   if (this->Rays.luminaires().sampleUnshadowed(path.at, path.random, sample, known))
     this->addIfSeen(i, sample.target, sample.light);
   if (path.at.brdf)
@@ -212,7 +238,7 @@ void WavefrontGather::addLuminaires(std::size_t i)
 void WavefrontGather::addHighlights(std::size_t i, double probability)
 {
   PathState& path = this->Paths[i];
-  if (!path.at.highlightsApart || (probability < 1 && path.random.next() >= probability))
+  if (!path.at.highlightsApart || path.lobeOnly || (probability < 1 && path.random.next() >= probability))
     return;
   Bands light = this->Rays.highlights().sample(path.at, path.random);
   for (std::size_t b = 0; b < this->Count; ++b)

@@ -28,6 +28,9 @@ public:
     double share;       ///< gather rays of the sensor per trajectory that scores at it; infinite: no vertex does
     bool seesEmission;  ///< add (1 - a) of the exitance where the first ray ends; false when it is known exactly
     bool doublePrecision = false;  ///< the sensor lies in a gap: see isInGap()
+    /// Of follow(): only what the lobe and the mirror of the surface at y reflect, by this factor.
+    bool lobeOnly = false;
+    double factor = 1;
   };
 
   /// Adds a gather ray: it finds the share 1 - a of the light that reaches the sensor from surfaces, lx per band
@@ -75,7 +78,7 @@ private:
     SampleStream random;
     Bands throughput;
     double share;
-    bool seesEmission, doublePrecision, first;
+    bool seesEmission, doublePrecision, lobeOnly, first;
     DirectionSample sampled;
   };
   std::size_t add(const Sensor& sensor, const Start& start, const SampleStream& random, bool first);

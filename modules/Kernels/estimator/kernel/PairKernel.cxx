@@ -51,7 +51,7 @@ void formGlossyPairs(const VertexSet& v, std::size_t begin, int count, const Sen
 
 void formPairs(const VertexSet& v, std::size_t begin, int count, const Sensor& sensor, double share, PairBlock& block)
 {
-  if (v.isGlossy() || sensor.brdf)
+  if (v.isGlossy() || sensor.brdf || sensor.diffuseOf)
     return formGlossyPairs(v, begin, count, sensor, share, block);
   block.factor.clear();
   alignas(64) float kernel[PairBlock::capacity];

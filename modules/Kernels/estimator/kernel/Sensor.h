@@ -17,7 +17,11 @@ struct Sensor
   Vec3 position, normal;
   RayAnchor anchor;            ///< where its rays leave the surface that it may lie on
   const Brdf* brdf = nullptr;  ///< null: illuminance
-  Vec3 outgoing;               ///< unit, away from the surface; with brdf
+  /// Of an illuminance, or null: it is weighted by what the diffuse part of this glossy material keeps by incidence, so
+  /// that rho Brdf::diffuseTowards() times it is reflected. Unlike the whole reflection, it does not depend on the
+  /// viewer.
+  const Brdf* diffuseOf = nullptr;
+  Vec3 outgoing;  ///< unit, away from the surface; with brdf
   bool doublePrecision =
       false;  ///< its rays are traced singly, because it lies in a gap or near other surfaces: see isInGap()
   bool followsMirror = true;  ///< false: the mirror part of the BRDF is left out
@@ -50,11 +54,17 @@ inline double lobeRatio(const Brdf& brdf, const Vec3& normal, const Vec3& toward
   return albedo > 0 ? photometric(timesPi, bands) / albedo : 0;
 }
 
+/// Weight of an illuminance from the unit direction `incident`.
+inline double incidence(const Sensor& s, const Vec3& incident)
+{
+  return s.diffuseOf ? s.diffuseOf->diffuseIncidence(dot(s.normal, incident)) : 1;
+}
+
 /// Response to light from the unit direction `incident`, per band: 1, or pi f times the gathered share.
 inline Bands response(const Sensor& s, const Vec3& incident, int bands)
 {
   if (!s.brdf)
-    return uniformBands(1);
+    return uniformBands(incidence(s, incident));
   Bands f = s.brdf->timesPi(s.normal, incident, s.outgoing);
   if (std::isinf(s.ratio))  // infinity times a zero lobe, as a mirror's, would be NaN
     return f;
@@ -77,7 +87,7 @@ inline double keptLobeShare(const Sensor& s, const Vec3& incident)
 inline Bands responseToLuminaires(const Sensor& s, const Vec3& incident, int bands)
 {
   if (!s.brdf)
-    return uniformBands(1);
+    return uniformBands(incidence(s, incident));
   Bands f = s.brdf->timesPi(s.normal, incident, s.outgoing, s.keptLobe);
   const double share = gatheredShare(s.ratio);
   for (int b = 0; b < bands; ++b)
