@@ -89,6 +89,9 @@ kalos::Settings vtkKalosEstimatorAlgorithm::MakeSettings(const kalos::Ranks& ran
   settings.threads = this->Threads;
   settings.delta = this->Delta;
   settings.epsilon = this->Epsilon;
+  settings.own.photons = this->Photons;
+  settings.own.coneFilter = this->ConeFilter;
+  settings.own.finalGather = this->FinalGather;
   if (this->DisabledTechniques)
     settings.disabled = kalos::TechniqueSet::named(this->DisabledTechniques);
   return settings;
@@ -144,6 +147,9 @@ void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Threads: " << this->Threads << "\n";
   os << indent << "Delta: " << this->Delta << "\n";
   os << indent << "Epsilon: " << this->Epsilon << "\n";
+  os << indent << "Photons: " << this->Photons << "\n";
+  os << indent << "ConeFilter: " << (this->ConeFilter ? "on" : "off") << "\n";
+  os << indent << "FinalGather: " << (this->FinalGather ? "on" : "off") << "\n";
   os << indent << "CheckpointFile: " << (this->CheckpointFile ? this->CheckpointFile : "(none)") << "\n";
   os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
   os << indent << "KeepScene: " << (this->KeepScene ? "on" : "off") << "\n";

@@ -53,12 +53,16 @@ public:
     CLAMPED = 4,
     COMPENSATED = 5,
     GATHERED = 6,
-    DIRECT = 7
+    DIRECT = 7,
+    PATHS = 8,
+    PHOTON_MAP = 9
   };
 
   ///@{
   /**
-   * The estimator, a MethodType. Default COMPENSATED.
+   * The estimator, a MethodType. Default COMPENSATED. The first eight share trajectories of light among all receivers;
+   * PATHS starts a path at each receiver per trajectory; PHOTON_MAP counts the photons that trajectories leave about
+   * each receiver. A method that can not serve a scene gives an error that says why.
    */
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
@@ -125,11 +129,37 @@ public:
 
   ///@{
   /**
-   * Radius of the averaging sphere or disc, half side of a point's cell for DIRECT, m; at most the size of the scene.
-   * Default 0: automatic.
+   * Radius of the averaging sphere or disc, half side of a point's cell for DIRECT, radius of PHOTON_MAP, which then
+   * does not shrink, m; at most the size of the scene. Default 0: automatic.
    */
   vtkSetMacro(Epsilon, double);
   vtkGetMacro(Epsilon, double);
+  ///@}
+
+  ///@{
+  /**
+   * PHOTON_MAP: count the nearest so many photons instead of those within a radius. Default 0: a radius.
+   */
+  vtkSetMacro(Photons, int);
+  vtkGetMacro(Photons, int);
+  ///@}
+
+  ///@{
+  /**
+   * PHOTON_MAP: let photons count less the farther they are (cone filter). Default off.
+   */
+  vtkSetMacro(ConeFilter, bool);
+  vtkGetMacro(ConeFilter, bool);
+  vtkBooleanMacro(ConeFilter, bool);
+  ///@}
+
+  ///@{
+  /**
+   * PHOTON_MAP: read the map where rays from the receivers end, instead of at the receivers. Default off.
+   */
+  vtkSetMacro(FinalGather, bool);
+  vtkGetMacro(FinalGather, bool);
+  vtkBooleanMacro(FinalGather, bool);
   ///@}
 
   ///@{
@@ -230,6 +260,9 @@ protected:
   int Threads = 0;
   double Delta = 0;
   double Epsilon = 0;
+  int Photons = 0;
+  bool ConeFilter = false;
+  bool FinalGather = false;
   char* CheckpointFile = nullptr;
   double CheckpointInterval = 10;
   bool IntermediateResults = false;

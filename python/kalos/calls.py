@@ -21,26 +21,27 @@ def silent(line: str) -> None:
 
 def solve(scene: SceneLike, out: Union[str, os.PathLike[str]], *, method: str = DEFAULT_METHOD, trajectories: Optional[int] = None,
           error: Optional[float] = None, error_floor: Optional[float] = None, time: Optional[float] = None,
-          delta: Optional[float] = None, epsilon: Optional[float] = None, seed: int = 1, threads: int = 0,
-          disable: Sequence[str] = (), prepare: bool = True, report: bool = False, hdr: bool = False, all_points: bool = False,
+          delta: Optional[float] = None, epsilon: Optional[float] = None, method_options: Optional[Mapping[str, Any]] = None,
+          seed: int = 1, threads: int = 0, disable: Sequence[str] = (), prepare: bool = True, report: bool = False, hdr: bool = False, all_points: bool = False,
           look: Look = LOOK, say: Say = silent) -> Dict[str, Any]:
     """Solves a scene into the folder `out`, as `kalos solve` does; returns what stands in its summary.json.
 
-    scene: a kalos.Scene, or the path of a scene file or model. delta, epsilon: m; error_floor: lx; time: s. prepare: repair the
+    scene: a kalos.Scene, or the path of a scene file or model. delta, epsilon: m; error_floor: lx; time: s. method_options: those of single
+    methods, such as {"photons": 50} for photon-map. prepare: repair the
     surfaces first. report: write report.html. hdr: write Radiance pictures. all_points: count receivers inside solids in the
     statistics. look: range, kind of scale and colours of the pictures. say: gets the lines that the command prints. `kalos solve --help` tells more of each. Raises KalosError.
     """
     from kalos.solving.solve import solve as run
 
     options = checked_options(method=method, trajectories=trajectories, error=error, error_floor=error_floor, time=time, delta=delta,
-                              epsilon=epsilon, seed=seed, threads=threads, disable=disable)
+                              epsilon=epsilon, method_options=method_options, seed=seed, threads=threads, disable=disable)
     with scene_file(scene) as path:
         return run(path, out, options, say, prepare, report, hdr, all_points, look)
 
 
 def study(scene: SceneLike, out: Union[str, os.PathLike[str]], sweep: Mapping[str, Sequence[Any]], *, method: str = DEFAULT_METHOD,
-          trajectories: Optional[int] = None, delta: Optional[float] = None, epsilon: Optional[float] = None, seed: int = 1,
-          threads: int = 0, reference_trajectories: int = REFERENCE_TRAJECTORIES, say: Say = silent) -> Dict[str, Any]:
+          trajectories: Optional[int] = None, delta: Optional[float] = None, epsilon: Optional[float] = None,
+          method_options: Optional[Mapping[str, Any]] = None, seed: int = 1, threads: int = 0, reference_trajectories: int = REFERENCE_TRAJECTORIES, say: Say = silent) -> Dict[str, Any]:
     """Solves a scene with every combination of settings and measures errors and biases, as `kalos study` does.
 
     sweep: values of trajectories, delta (m), epsilon (m), method or seed, such as {"trajectories": [100, 1000]}; None is
@@ -49,7 +50,8 @@ def study(scene: SceneLike, out: Union[str, os.PathLike[str]], sweep: Mapping[st
     from kalos.studies.study import study as run
     from kalos.studies.sweep import combinations
 
-    options = checked_options(method=method, trajectories=trajectories, delta=delta, epsilon=epsilon, seed=seed, threads=threads)
+    options = checked_options(method=method, trajectories=trajectories, delta=delta, epsilon=epsilon,
+                              method_options=method_options, seed=seed, threads=threads)
     swept = []
     for name, values in sweep.items():
         if name not in ("trajectories", "delta", "epsilon", "method", "seed"):

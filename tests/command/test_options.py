@@ -19,6 +19,7 @@ BAD = [
     ("--error-floor", "-1", "expected a half-width of 0 lx or more"),
     ("--range", "5", ENDS), ("--range", "5:5", ENDS), ("--luminance-range", "0:nan", ENDS),
     ("--disable", "picked,walls", f"expected some of {', '.join(TECHNIQUES)}"),
+    ("--photons", "0", COUNT),
     ("--time", "-1", "expected a time > 0, in seconds"),
     ("--seed", "-1", "expected a whole number from 0 to 2147483647"),
     ("--threads", "many", "expected a whole number from 0 (all) to 1024"),
@@ -37,6 +38,15 @@ def test_bad_value(scene, command, tmp_path, option, value, expected):
 def test_unknown_method(scene, command, tmp_path):
     status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", "--method", "magic")
     assert status == 2 and one_line(error).startswith("--method: invalid choice: 'magic' (choose from 'compensated', ")
+
+
+@pytest.mark.parametrize("option, methods", [(("--photons", "50"), "photon-map"), (("--cone-filter",), "photon-map"),
+                                             (("--final-gather",), "photon-map")])
+def test_option_of_another_method(scene, command, tmp_path, option, methods):
+    status, _, error = command("solve", scene.save(), "--out", tmp_path / "out", "--method", "local", *option)
+    assert status == 2
+    assert one_line(error) == f"{option[0]}: has no effect on local, expected --method {methods}"
+    assert not (tmp_path / "out").exists()
 
 
 @pytest.mark.parametrize("option", ["--delta", "--epsilon"])

@@ -172,8 +172,8 @@ TEST(Replay, IsTheReplicateOfTheSolve)
   SceneDescription d = rooms::furnace(0.6, 50);
   d.luminaires = rooms::litRoom(0.6).luminaires;
   const Scene scene(d);
-  for (const Method method :
-       {Method::Local, Method::SphereExact, Method::Compensated, Method::Gathered, Method::Direct})
+  for (const Method method : {Method::Local, Method::SphereExact, Method::Compensated, Method::Gathered, Method::Direct,
+                              Method::Paths, Method::PhotonMap})
   {
     const Settings s = settings(method, 3200);
     const Result result = solve(scene, points(), s);

@@ -55,8 +55,9 @@ Result expectResumed(const Receivers& receivers, Settings s, Shelf& shelf)
 // From each round of each method, with another number of threads, to bitwise the same end.
 TEST(Checkpoint, ResumedSolvesGiveBitwiseTheSameNumbers)
 {
-  for (const Method method : {Method::Local, Method::SpherePublished, Method::SphereExact, Method::Disc,
-                              Method::Clamped, Method::Compensated, Method::Gathered, Method::Direct})
+  for (const Method method :
+       {Method::Local, Method::SpherePublished, Method::SphereExact, Method::Disc, Method::Clamped, Method::Compensated,
+        Method::Gathered, Method::Direct, Method::Paths, Method::PhotonMap})
   {
     Shelf shelf;
     expectResumed(points(), settings(method, shelf), shelf);

@@ -197,7 +197,7 @@ TEST(Edges, OddPlacesAreDefined)
   add(r, {0.7, 3.7, 2.2}, {0, 0, 1});  // inside a box that emits outwards: dark
   add(r, {2.5, 2.5, 0}, {0, 0, -1});   // on the back of the floor: dark
   for (Method method : {Method::Local, Method::Compensated, Method::SpherePublished, Method::SphereExact, Method::Disc,
-                        Method::Clamped, Method::Direct})
+                        Method::Clamped, Method::Direct, Method::Paths})
   {
     const Result result = solve(scene, r, settings(method, 32768));
     for (double e : result.illuminance)

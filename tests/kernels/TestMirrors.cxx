@@ -144,7 +144,7 @@ TEST(Mirror, ImagesThatAreLeftOutAreNotTrusted)
   Receivers r;
   r.points = {{3, 1, 0.5}};
   r.normals = {{0, 0, 1}};
-  for (Method method : {Method::Compensated, Method::Gathered, Method::Local, Method::Disc})
+  for (Method method : {Method::Compensated, Method::Gathered, Method::Local, Method::Disc, Method::Paths})
   {
     const Result result = solve(Scene(d), r, settings(method, 320));
     EXPECT_EQ(result.trusted[0], 0);

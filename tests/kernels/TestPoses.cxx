@@ -148,7 +148,8 @@ INSTANTIATE_TEST_SUITE_P(Poses, EachMethod,
                                          std::make_tuple("clamped", Method::Clamped, 32768),
                                          std::make_tuple("compensated", Method::Compensated, 16384),
                                          std::make_tuple("gathered", Method::Gathered, 16384),
-                                         std::make_tuple("direct", Method::Direct, 160000)),
+                                         std::make_tuple("direct", Method::Direct, 160000),
+                                         std::make_tuple("paths", Method::Paths, 16384)),
                          [](const auto& instance) {
                            std::string name = std::get<0>(instance.param);
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -114,8 +114,8 @@ bool goOn(int, double)
 
 TEST(Ranks, GiveBitwiseTheNumbersOfOne)
 {
-  for (const Method method :
-       {Method::Compensated, Method::Gathered, Method::Local, Method::SphereExact, Method::Direct})
+  for (const Method method : {Method::Compensated, Method::Gathered, Method::Local, Method::SphereExact, Method::Direct,
+                              Method::Paths, Method::PhotonMap})
     for (const bool goal : {false, true})
     {
       Settings s;

@@ -10,7 +10,8 @@ using namespace kalos;
 TEST(Solver, ThreadsDoNotChangeABit)
 {
   const Scene scene(rooms::furnace(0.6, 100));
-  for (Method method : {Method::Local, Method::Direct, Method::Compensated, Method::SphereExact, Method::Disc})
+  for (Method method : {Method::Local, Method::Direct, Method::Compensated, Method::SphereExact, Method::Disc,
+                        Method::Paths, Method::PhotonMap})
   {
     Settings s = quick(method, 3200);
     s.threads = 1;

@@ -103,7 +103,15 @@ KINDS = "expected 0 (isotropic), 1 (Lambertian) or 2 and more (candela tables)"
     (lambda: estimate(trajectories=1.5), "trajectories: '1.5' is not allowed, expected a whole number from 1 to "
      "9223372036854775807"),
     (lambda: estimate(method="magic"), "method: 'magic' is not allowed, expected one of compensated, gathered, local, "
-     "sphere-published, sphere-exact, disc, clamped, direct"),
+     "sphere-published, sphere-exact, disc, clamped, direct, paths, photon-map"),
+    (lambda: estimate(method_options={"photons": 5}), "method_options: photons has no effect on compensated, expected method "
+     "photon-map"),
+    (lambda: estimate(method="photon-map", method_options={"photons": 0}), "photons: '0' is not allowed, expected a whole number "
+     "from 1 to 9223372036854775807"),
+    (lambda: estimate(method="photon-map", method_options={"cone_filter": 2}), "cone_filter: '2' is not allowed, expected True or "
+     "False"),
+    (lambda: estimate(method_options={"k": 5}), "method_options: 'k' is not there, expected some of photons, cone_filter, "
+     "final_gather"),
     (lambda: estimate(delta=-1), "delta: '-1' is not allowed, expected auto, or a length > 0 in metres"),
     (lambda: estimate(mesh(), surfaces=mesh(reflectance=0.5, mirror=0.6)),
      "points: is not an array of numbers, expected one with shape (n, 3) or (rows, columns, 3)"),

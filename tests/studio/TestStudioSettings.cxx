@@ -60,7 +60,7 @@ private slots:
     QTest::newRow("method")
         << "method" << QJsonValue("magic")
         << "f: settings/method: is \"magic\", expected one of compensated, gathered, local, sphere-exact, "
-           "sphere-published, disc, clamped, direct";
+           "sphere-published, disc, clamped, direct, paths, photon-map";
     QTest::newRow("delta") << "delta" << QJsonValue(-1)
                            << "f: settings/delta: is -1, expected a number from 0 to 1e+06";
     QTest::newRow("seed") << "seed" << QJsonValue(1.5) << "f: settings/seed: is 1.5, expected a whole number from 0";

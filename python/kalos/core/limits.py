@@ -3,7 +3,7 @@
 import argparse
 import math
 
-from kalos.core.options import METHODS, TECHNIQUES, Options
+from kalos.core.options import METHODS, OWN_OPTIONS, TECHNIQUES, Options
 from kalos.errors import InputError
 
 
@@ -51,19 +51,35 @@ def techniques(text):
     return names
 
 
+def flag(text):
+    if text not in ("True", "False"):
+        raise argparse.ArgumentTypeError(f"{text!r} is not allowed, expected True or False")
+    return text == "True"
+
+
 TYPES = {"method": method, "trajectories": COUNT, "error": RELATIVE, "error_floor": FLOOR, "time": TIME, "delta": GIVEN_LENGTH,
-         "epsilon": GIVEN_LENGTH, "seed": SEED, "threads": THREADS}
+         "epsilon": GIVEN_LENGTH, "seed": SEED, "threads": THREADS,
+         "photons": COUNT, "cone_filter": flag, "final_gather": flag}
 
 
-def checked_options(disable=(), checkpoint=None, **given):
+def checked_options(disable=(), checkpoint=None, method_options=None, **given):
     """Options from the arguments of a Python call, held to what the command allows; InputError names the one that is not."""
+    for name, value in (method_options or {}).items():
+        if name not in OWN_OPTIONS:
+            raise InputError(f"method_options: {name!r} is not there, expected some of {', '.join(OWN_OPTIONS)}")
+        given[name] = value
     values = {}
     for name, value in given.items():
         if value is not None or name in ("method", "seed", "threads"):
             values[name] = converted(name, TYPES[name], str(value))
     if disable:
         values["disable"] = converted("disable", techniques, disable if isinstance(disable, str) else ",".join(disable))
-    return Options(**values, checkpoint=checkpoint)
+    options = Options(**values, checkpoint=checkpoint)
+    wrong = options.for_another_method()
+    if wrong:
+        name, methods = wrong
+        raise InputError(f"method_options: {name} has no effect on {options.method}, expected method {' or '.join(methods)}")
+    return options
 
 
 def converted(name, convert, text):

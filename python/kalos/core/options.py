@@ -15,8 +15,11 @@ REFERENCE_SEED = 2**31 - 1  # one that no study is likely to use, so that refere
 
 # As vtkKalosIlluminance::Method numbers them.
 METHODS = {"compensated": 5, "gathered": 6, "local": 0, "sphere-published": 1, "sphere-exact": 2, "disc": 3, "clamped": 4,
-           "direct": 7}
+           "direct": 7, "paths": 8, "photon-map": 9}
 
+
+# Options of single methods, and the methods that they are for.
+OWN_OPTIONS = {"photons": ("photon-map",), "cone_filter": ("photon-map",), "final_gather": ("photon-map",)}
 
 # Names for vtkKalosIlluminance::DisabledTechniques; none adds bias.
 TECHNIQUES = ("stratified", "picked", "convex", "near", "paths", "neighbours", "effort", "highlights", "exact-direct")
@@ -32,11 +35,21 @@ class Options:
     epsilon: float = None  # m
     error: float = None  # goal: relative 95 % half-width at every receiver
     error_floor: float = None  # lx, half-width that is small enough for any value; automatic: for a hundredth of the mean
+    photons: int = None  # photon-map: the nearest so many; automatic: those within a radius
+    cone_filter: bool = False  # photon-map: photons count less the farther they are
+    final_gather: bool = False  # photon-map: read where rays from the receivers end
     time: float = None  # goal: s
     seed: int = 1
     threads: int = 0  # 0 for all
     disable: tuple = ()  # names of TECHNIQUES
     checkpoint: str = None  # file that the solve is kept in
+
+    def for_another_method(self):
+        """The first option that only other methods have, and these methods; None where all have an effect."""
+        for name, methods in OWN_OPTIONS.items():
+            if getattr(self, name) and self.method not in methods:
+                return name, methods
+        return None
 
     def of_camera(self, name):
         """The same for a camera, which has a checkpoint of its own."""
@@ -48,6 +61,9 @@ class Options:
         estimator.SetTrajectories(self.trajectories or 0)
         estimator.SetDelta(self.delta or 0)
         estimator.SetEpsilon(self.epsilon or 0)
+        estimator.SetPhotons(self.photons or 0)
+        estimator.SetConeFilter(bool(self.cone_filter))
+        estimator.SetFinalGather(bool(self.final_gather))
         estimator.SetRelativeError(self.error or 0)
         estimator.SetErrorFloor(-1 if self.error_floor is None else self.error_floor)
         estimator.SetDisabledTechniques(",".join(self.disable))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import pathlib
-from typing import Callable, Optional, Tuple, Union
+from typing import Any, Callable, Mapping, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -31,7 +31,7 @@ Progress = Union[None, bool, Callable[[float], None]]
 def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, normals: ArrayLike, *,
                 error: Optional[float] = None, error_floor: Optional[float] = None, time: Optional[float] = None,
                 trajectories: Optional[int] = None, method: str = DEFAULT_METHOD, delta: Optional[float] = None,
-                epsilon: Optional[float] = None, seed: int = 1,
+                epsilon: Optional[float] = None, method_options: Optional[Mapping[str, Any]] = None, seed: int = 1,
                 threads: int = 0, checkpoint: Union[None, str, os.PathLike] = None, progress: Progress = None) -> Illuminance:
     """Illuminance (lx) at points, with a standard error each.
 
@@ -43,7 +43,8 @@ def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, n
     part of a hundredth of the mean. time: stop after so many seconds.
     trajectories: at most so many; without a goal 10 000. method: as `kalos solve --method`; the default, compensated (local
     estimation, Kalos 1963, with gathering near edges), is unbiased, also at edges. delta, epsilon: m, of the methods with a
-    neighbourhood (Budak et al., GraphiCon 2023); None is automatic. seed: the same one gives the same numbers, bit by
+    neighbourhood (Budak et al., GraphiCon 2023); None is automatic. method_options: what single methods let one choose, as the
+    command's options of these names, such as {"photons": 50} for method="photon-map". seed: the same one gives the same numbers, bit by
     bit, for any number of threads. threads: 0 for all.
     checkpoint: a file that the solve is kept in every 10 s and when it is interrupted; the same call goes on from there to bitwise
     the same numbers, and takes the file away when it is done.
@@ -64,7 +65,8 @@ def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, n
     ['direct_lx', 'illuminance_lx', 'nx']
     """
     options = checked_options(method=method, trajectories=trajectories, error=error, error_floor=error_floor, time=time, delta=delta,
-                              epsilon=epsilon, seed=seed, threads=threads, checkpoint=checkpoint)
+                              epsilon=epsilon, method_options=method_options, seed=seed, threads=threads,
+                              checkpoint=checkpoint)
     points = non_empty("points", numbers("points", points, [("n", 3), ("rows", "columns", 3)]))
     normals = units("normals", normals, [points.shape, (3,)])
     if normals.ndim == 1:
@@ -92,7 +94,7 @@ def luminance(surfaces: Surfaces, luminaires: Luminaires, position: ArrayLike, t
               up: ArrayLike = (0, 0, 1), fov_deg: float = 45, resolution: Tuple[int, int] = (256, 256),
               error: Optional[float] = None, error_floor: Optional[float] = None, time: Optional[float] = None,
               trajectories: Optional[int] = None, method: str = DEFAULT_METHOD, delta: Optional[float] = None,
-              epsilon: Optional[float] = None, seed: int = 1,
+              epsilon: Optional[float] = None, method_options: Optional[Mapping[str, Any]] = None, seed: int = 1,
               threads: int = 0, checkpoint: Union[None, str, os.PathLike] = None, progress: Progress = None) -> Luminance:
     """Luminance (cd/m2) seen by a camera, with a standard error per pixel, by the double local estimate.
 
@@ -105,7 +107,8 @@ def luminance(surfaces: Surfaces, luminaires: Luminaires, position: ArrayLike, t
     (12, 16)
     """
     options = checked_options(method=method, trajectories=trajectories, error=error, error_floor=error_floor, time=time, delta=delta,
-                              epsilon=epsilon, seed=seed, threads=threads, checkpoint=checkpoint)
+                              epsilon=epsilon, method_options=method_options, seed=seed, threads=threads,
+                              checkpoint=checkpoint)
     filter_ = vtkKalosLuminanceImage()
     filter_.SetInputData(0, joined_surfaces(surfaces))
     filter_.SetInputData(1, joined_luminaires(luminaires))

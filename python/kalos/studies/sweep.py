@@ -3,14 +3,15 @@
 import itertools
 from dataclasses import dataclass, replace
 
-from kalos.core.options import REFERENCE_METHOD, Options
+from kalos.core.options import OWN_OPTIONS, REFERENCE_METHOD, Options
 from kalos.errors import KalosError
 
 MOST = 400  # combinations: a guard against typing errors
 SYMBOLS = {"trajectories": "N", "delta": "δ", "epsilon": "ε"}
 
 # Methods that an option has no effect on.
-NO_EFFECT = {"delta": ("local", "compensated", "gathered", "disc", "direct"), "epsilon": ("local", "compensated", "gathered")}
+NO_EFFECT = {"delta": ("local", "compensated", "gathered", "disc", "direct", "paths", "photon-map"),
+             "epsilon": ("local", "compensated", "gathered", "paths")}
 
 # V. P. Budak, A. V. Grimailo, V. S. Zheltov, S. A. Yakushev: GraphiCon 2023, Table 1. A cross, not every combination.
 TABLE1 = [("trajectories", (10000, 1000, 100), {"delta": 0.25, "epsilon": 0.15}),
@@ -87,7 +88,7 @@ def with_reference_method(rows):
     panels = {}
     for row in rows:
         for panel in row.panels:
-            options = replace(panel.options, method=REFERENCE_METHOD, delta=None, epsilon=None)
+            options = replace(panel.options, method=REFERENCE_METHOD, delta=None, epsilon=None, **dict.fromkeys(OWN_OPTIONS))
             panels.setdefault(options.trajectories, options)
     named = [Panel(label("trajectories", n) if n else REFERENCE_METHOD, options) for n, options in panels.items()]
     return rows + [Row(f"{REFERENCE_METHOD}, no neighbourhood", tuple(named))]

@@ -15,6 +15,9 @@ if not DATA.exists():
     DATA = PACKAGE.parents[3] / "share" / "kalos" / "data"  # of an installed one
 
 
+PATHS, PATHS_SHARE = ("paths", "bidirectional"), 64  # these start a path at each receiver per trajectory
+
+
 @dataclass(frozen=True)
 class Case:
     """A scene whose illuminance is known at every receiver."""
@@ -35,7 +38,8 @@ class Case:
     def options(self, method, trajectories=None, seed=1):
         """How this case is solved by a method."""
         near = self.cell if method == "direct" else self.near
-        return Options(method=method, trajectories=trajectories or self.trajectories, seed=seed, delta=near, epsilon=near)
+        own = self.trajectories // PATHS_SHARE if method in PATHS else self.trajectories
+        return Options(method=method, trajectories=trajectories or own, seed=seed, delta=near, epsilon=near)
 
 
 def even(value):

@@ -33,6 +33,8 @@ const QVector<Method>& methods()
       {Estimator::DISC, "disc", false, true},
       {Estimator::CLAMPED, "clamped", true, false},
       {Estimator::DIRECT, "direct", false, true},
+      {Estimator::PATHS, "paths", false, false},
+      {Estimator::PHOTON_MAP, "photon-map", false, true},
   };
   return all;
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "estimator/control/MethodOptions.h"
 #include "estimator/control/Techniques.h"
 #include "sampling/SampleStream.h"
 
@@ -19,7 +20,9 @@ enum class Method
   Clamped,
   Compensated,
   Gathered,
-  Direct
+  Direct,
+  Paths,
+  PhotonMap
 };
 
 class Ranks;
@@ -39,6 +42,8 @@ struct Settings
   double delta = 0;             ///< m, distance below which the sphere methods average; <= 0: automatic
   bool keepReplicates = false;  ///< fill Result::replicateIlluminance
   double epsilon = 0;  ///< m, radius of the averaging sphere or disc, half side of a point's cell; 0: automatic
+
+  MethodOptions own;  ///< of single methods
 
   const Ranks* ranks = nullptr;  ///< processes that share the solve; null: only this one
 

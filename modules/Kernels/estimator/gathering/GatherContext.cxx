@@ -45,6 +45,15 @@ double GatherContext::blockShare(int trajectories, int blockSize) const
   return 1 / (trajectories * std::min(1.0, blockSize / vertices));
 }
 
+double GatherContext::startShare(int trajectories, int blockSize) const
+{
+  if (!this->PathsOnly)
+    return this->blockShare(trajectories, blockSize);
+  if (!this->Starts || !(this->Density.starts() > 0))
+    return std::numeric_limits<double>::infinity();
+  return 1 / (trajectories * std::min(1.0, blockSize / (this->Density.starts() * trajectories)));
+}
+
 Bands GatherContext::luminaireLight(const Sensor& sensor, SampleStream& random) const
 {
   Bands light = this->Luminaires.sample(sensor, random);

@@ -34,9 +34,15 @@ public:
   /// Whether one vertex of a block is picked for the shadow ray, instead of all.
   bool picksVertices() const { return this->Shadows && !this->EveryPair; }
 
-  /// Turns vertices off: longer paths find all light (estimator/methods/StrategyTrial.h).
-  void usePathsOnly() { this->PathsOnly = true; }
+  /// Turns vertices off: longer paths find all light (estimator/methods/StrategyTrial.h). With `nextEvents` the starts
+  /// of trajectories on emitting meshes still score where paths go: next event estimation.
+  void usePathsOnly(bool nextEvents = false)
+  {
+    this->PathsOnly = true;
+    this->Starts = nextEvents;
+  }
   bool pathsOnly() const { return this->PathsOnly; }
+  bool usesStarts() const { return this->Starts; }
 
   /// The vertices of trajectories [first, first + count) of every replicate, annotated by the pilot; of a sixteenth of
   /// them when pathsOnly(), for the energy balance. None when aborted.
@@ -45,6 +51,9 @@ public:
 
   /// Gather rays per trajectory, as they count for G*, of a ray beside a block of vertices; infinite when pathsOnly().
   double blockShare(int trajectories, int blockSize) const;
+
+  /// The same beside a block of starts on emitting meshes; infinite unless usesStarts().
+  double startShare(int trajectories, int blockSize) const;
 
   /// All light from luminaires at a sensor: direct, with one shadow ray, and by mirrors.
   Bands luminaireLight(const Sensor& sensor, SampleStream& random) const;
@@ -57,7 +66,7 @@ private:
 
   const Scene& Scene_;
   VertexDensity Density;
-  bool Shadows, EveryPair, PathsOnly = false;
+  bool Shadows, EveryPair, PathsOnly = false, Starts = true;
   DirectLight Luminaires;
   MirrorImages Mirrored;
   Highlights Lobes;

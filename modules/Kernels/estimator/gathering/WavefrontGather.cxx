@@ -13,8 +13,11 @@ namespace
 // Survival probability of a path over its throughput. It is above 1, because ending paths early costs variance at
 // edges. Ten times saved a sixth of the time along an edge and cost a twelfth on a floor, against three times.
 constexpr double kept = 5;
-// The same without vertices (pathsOnly): in a white furnace 10 took three times the time of 20 to the same error, in
-// rooms that are luminous in part 20 a quarter more than 5.
+// The same without vertices, with next event estimation: on a plane in a furnished room 5 and 20 took a fifth more time
+// to the same error.
+constexpr double keptNextEvents = 10;
+// The same where paths meet all light themselves: in a white furnace 10 took three times the time of 20 to the same
+// error, in rooms that are luminous in part 20 a quarter more than 5.
 constexpr double keptPathsOnly = 20;
 }  // namespace
 
@@ -23,6 +26,7 @@ std::size_t WavefrontGather::add(const Sensor& sensor, const Start& start, const
   this->Paths.push_back({sensor,
                          random,
                          uniformBands(start.factor),
+                         start.share,
                          start.share,
                          start.seesEmission,
                          start.doublePrecision,
@@ -156,7 +160,7 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
   const double kernel = sampled.density * -dot(sampled.direction, y.normal) / squared;  // G, for a Lambertian sensor
   const double ratio =
       whole ? std::numeric_limits<double>::infinity() : kernel * path.share / this->Rays.pilot().density(y.position);
-  this->addEmission(i, y, kernel, whole);
+  this->addEmission(i, y, kernel);
 
   // The hit becomes the next sensor: for illuminance, or for its response towards the previous one.
   Sensor next(scene.anchor(y));
@@ -187,12 +191,13 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
   if (path.first && !this->survives(path))
     return false;
   path.share = this->Later;
+  path.startShare = this->LaterStarts;
   path.seesEmission = true;
   path.first = false;
   return true;
 }
 
-void WavefrontGather::addEmission(std::size_t i, const SurfacePoint& y, double kernel, bool whole)
+void WavefrontGather::addEmission(std::size_t i, const SurfacePoint& y, double kernel)
 {
   // The exitance, less the part scored by trajectory starts on meshes.
   const Scene& scene = this->Rays.scene();
@@ -200,7 +205,9 @@ void WavefrontGather::addEmission(std::size_t i, const SurfacePoint& y, double k
   const Material& material = scene.material(y.triangle);
   if (!y.front || !(path.sampled.mirror || path.seesEmission) || !(photometric(material.exitance, scene.bands()) > 0))
     return;
-  const double gathered = whole ? 1 : gatheredShare(kernel * path.share / this->Rays.pilot().startDensity(material));
+  const bool whole = path.sampled.mirror || std::isinf(path.startShare);  // no start scores there
+  const double gathered =
+      whole ? 1 : gatheredShare(kernel * path.startShare / this->Rays.pilot().startDensity(material));
   for (int b = 0; b < scene.bands(); ++b)
   {
     const double e = path.throughput[b] * gathered * material.exitance[b];
@@ -213,8 +220,8 @@ void WavefrontGather::addEmission(std::size_t i, const SurfacePoint& y, double k
 bool WavefrontGather::survives(PathState& path) const
 {
   const int bands = this->Rays.scene().bands();
-  const double survival =
-      std::min(1.0, (this->Rays.pathsOnly() ? keptPathsOnly : kept) * photometric(path.throughput, bands));
+  const double factor = !this->Rays.pathsOnly() ? kept : this->Rays.usesStarts() ? keptNextEvents : keptPathsOnly;
+  const double survival = std::min(1.0, factor * photometric(path.throughput, bands));
   if (path.random.next() >= survival)
     return false;
   for (int b = 0; b < bands; ++b)
@@ -248,12 +255,13 @@ void WavefrontGather::addHighlights(std::size_t i, double probability)
 
 void WavefrontGather::addVertices(std::size_t i, int blockSize)
 {
-  if (this->Rays.pathsOnly())
-    return;
-  const double share = this->Rays.blockShare(this->Pool.trajectories, blockSize);
-  this->addBlock(i, this->Pool.vertices->reflected, blockSize, share);
-  this->addBlock(i, this->Pool.vertices->glossy, blockSize, share);
-  this->addBlock(i, this->Pool.vertices->emitted, blockSize, share);
+  const LightVertices& pool = *this->Pool.vertices;
+  const int trajectories = this->Pool.trajectories;
+  if (!this->Rays.pathsOnly())
+    for (const VertexSet* set : {&pool.reflected, &pool.glossy})
+      this->addBlock(i, *set, blockSize, this->Rays.blockShare(trajectories, blockSize));
+  if (this->Rays.usesStarts())
+    this->addBlock(i, pool.emitted, blockSize, this->Rays.startShare(trajectories, blockSize));
 }
 
 void WavefrontGather::addBlock(std::size_t i, const VertexSet& set, int blockSize, double share)

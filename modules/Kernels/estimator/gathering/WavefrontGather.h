@@ -19,7 +19,8 @@ public:
       : Rays(gathering),
         Pool(pool),
         Count(static_cast<std::size_t>(gathering.scene().bands())),
-        Later(gathering.blockShare(pool.trajectories, rayBlock))
+        Later(gathering.blockShare(pool.trajectories, rayBlock)),
+        LaterStarts(gathering.startShare(pool.trajectories, rayBlock))
   {
   }
 
@@ -77,14 +78,14 @@ private:
     Sensor at;
     SampleStream random;
     Bands throughput;
-    double share;
+    double share, startShare;  // as in Start; beside starts on emitting meshes
     bool seesEmission, doublePrecision, lobeOnly, first;
     DirectionSample sampled;
   };
   std::size_t add(const Sensor& sensor, const Start& start, const SampleStream& random, bool first);
   bool draw(PathState& path) const;
   bool advance(std::size_t i, const SurfacePoint& y);
-  void addEmission(std::size_t i, const SurfacePoint& y, double kernel, bool whole);
+  void addEmission(std::size_t i, const SurfacePoint& y, double kernel);
   bool survives(PathState& path) const;
   void addLuminaires(std::size_t i);
   void addHighlights(std::size_t i, double probability);
@@ -98,8 +99,8 @@ private:
 
   const GatherContext& Rays;
   const GatherPool& Pool;
-  std::size_t Count;  // of bands
-  double Later;       // share of the rays after the first
+  std::size_t Count;          // of bands
+  double Later, LaterStarts;  // shares of the rays after the first
   std::vector<PathState> Paths;
   std::vector<double> Found;                 // light and emission, by each
   std::vector<std::size_t> Active;           // indices of paths that have not ended

@@ -7,6 +7,8 @@
 #include "estimator/methods/DirectSimulation.h"
 #include "estimator/methods/FinalGathering.h"
 #include "estimator/methods/LocalEstimation.h"
+#include "estimator/methods/PathTracing.h"
+#include "estimator/methods/PhotonMap.h"
 
 namespace kalos
 {
@@ -26,6 +28,10 @@ std::unique_ptr<Estimator> makeEstimator(const Scene& scene, const Receivers& re
       return std::make_unique<FinalGathering>(scene, receivers, settings);
     case Method::Direct:
       return std::make_unique<DirectSimulation>(scene, receivers, settings);
+    case Method::Paths:
+      return std::make_unique<PathTracing>(scene, receivers, settings);
+    case Method::PhotonMap:
+      return std::make_unique<PhotonMap>(scene, receivers, settings);
     default:
       throw std::invalid_argument("method: does not exist");
   }

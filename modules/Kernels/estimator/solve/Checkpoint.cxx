@@ -55,6 +55,13 @@ std::string broadcast(const Ranks& ranks, const std::string& bytes)
   return {reinterpret_cast<const char*>(packed.data() + 1), static_cast<std::size_t>(packed[0])};
 }
 
+std::string describe(const MethodOptions& own)
+{
+  std::ostringstream text;
+  text << own.photons << (own.coneFilter ? ", cone filter" : "") << (own.finalGather ? ", final gather" : "");
+  return text.str();
+}
+
 void visit(Archive& archive, Done& done, Tally& tally, Estimator& estimator)
 {
   archive.value(done.trajectories);
@@ -105,6 +112,7 @@ Identity identify(const Scene& scene, const Receivers& receivers, const Settings
           {"scene", hexadecimal(surfaces)},
           {"receivers", hexadecimal(points)},
           {"method", std::to_string(static_cast<int>(s.method))},
+          {"method's options", describe(s.own)},
           {"trajectories", std::to_string(s.trajectories)},
           {"error", digits(s.relativeError)},
           {"error floor", digits(s.errorFloor)},

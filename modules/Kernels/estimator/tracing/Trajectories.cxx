@@ -25,8 +25,9 @@ void noteStart(const Scene& scene, std::size_t surface, const SurfacePoint& met,
     energy.trapped(surface) += 1;
 }
 
-// Walks one trajectory. `onStart(sample)`, `onSegment(from, direction, point, weight, first)` and `onCollision(point,
-// towardsLight, weight, caustic, straight)` are called at each event. Adds the energy balance to `energy`.
+// Walks one trajectory. `onStart(sample)`, `onSegment(from, direction, point, weight, first, byMirrors)` and
+// `onCollision(point, towardsLight, weight, caustic, straight)` are called at each event. Adds the energy balance to
+// `energy`.
 template <class OnStart, class OnSegment, class OnCollision>
 void walk(const Scene& scene, const Emission& emission, SampleStream random, EnergySums& energy, OnStart onStart,
           OnSegment onSegment, OnCollision onCollision)
@@ -46,7 +47,7 @@ void walk(const Scene& scene, const Emission& emission, SampleStream random, Ene
   std::size_t last = start.onSurface ? scene.surface(start.triangle) : scene.surfaces();
   for (bool first = true;; first = false)
   {
-    onSegment(from, direction, point, weight, first);
+    onSegment(from, direction, point, weight, first, fromPoint && !first);
     if (!point.valid)
     {
       energy.escaped() += luminous;
@@ -103,7 +104,7 @@ LightVertices traceTrajectories(const Scene& scene, const Emission& emission, co
           pool.emitted.add(start.anchor, start.weight, 1 / start.density);
           surface = scene.surface(start.triangle);
         },
-        [&](const RayAnchor& from, const Vec3&, const SurfacePoint& point, const Bands&, bool) {
+        [&](const RayAnchor& from, const Vec3&, const SurfacePoint& point, const Bands&, bool, bool) {
           if (!point.valid)
             return;
           if (surface < scene.surfaces() && i % VisibilityCheck::every == 0)
@@ -120,12 +121,14 @@ EnergySums walkTrajectories(const Scene& scene, const Emission& emission, const 
                             long long first, int count, const std::function<void(const Segment&)>& visit)
 {
   EnergySums energy(scene.surfaces());
+  bool fromMesh = false;
   for (long long i = first; i < first + count; ++i)
   {
     walk(
-        scene, emission, walks.stream(replicate, Purpose::Trajectory, i), energy, [](auto&&...) {},
+        scene, emission, walks.stream(replicate, Purpose::Trajectory, i), energy,
+        [&](const EmissionSample& start) { fromMesh = start.onSurface; },
         [&](const RayAnchor& start, const Vec3& direction, const SurfacePoint& point, const Bands& weight,
-            bool firstSegment) {
+            bool firstSegment, bool byMirrors) {
           const Vec3 from = start.lifted();
           Vec3 to = from + (4 * (scene.size() + length(from))) * direction;
           if (point.valid)
@@ -133,7 +136,7 @@ EnergySums walkTrajectories(const Scene& scene, const Emission& emission, const 
             const double depth = scene.anchor(point).lift();
             to = point.position + (depth / std::max(0.01, -dot(direction, point.normal))) * direction;
           }
-          visit({from, to, direction, weight, firstSegment});
+          visit({from, to, direction, weight, firstSegment, fromMesh, byMirrors, point});
         },
         [](auto&&...) {});
   }

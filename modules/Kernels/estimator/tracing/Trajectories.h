@@ -27,13 +27,16 @@ struct LightVertices
 /// Replicates from this number on enter no estimate, so decisions based on them add no bias.
 constexpr int pilotReplicate = 1 << 20;
 
-/// One step of a trajectory, for direct simulation.
+/// One step of a trajectory, for direct simulation and photon maps.
 struct Segment
 {
   Vec3 from, to;  ///< `to` lies just behind the surface that is hit, or far outside when it leaves the scene
   Vec3 direction;
-  Bands weight;  ///< lm if the trajectory were the only one
-  bool first;    ///< straight from the emitter
+  Bands weight;      ///< lm if the trajectory were the only one
+  bool first;        ///< straight from the emitter
+  bool fromMesh;     ///< of the trajectory: it starts on an emitting mesh
+  bool byMirrors;    ///< from a point luminaire by mirrors alone, one or more
+  SurfacePoint end;  ///< what is hit
 };
 
 /// Traces trajectories [first, first + count) of a replicate. Ended by Russian roulette on the luminous share that a
