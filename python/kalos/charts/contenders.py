@@ -101,6 +101,7 @@ class View(Subject):
         self.emitted = np.where(front, exitance[face] @ weights, 0) / np.pi
 
     def solve(self, options, label):
+        options = replace(options, pixel_samples=1)
         output = run(luminance_filter(self.reader, self.index, options), label, patience=float("inf") if label is None else 0)
         data = output.GetPointData()
         # The mean errs by at most the mean of the errors: pixels share trajectories.

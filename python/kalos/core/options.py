@@ -38,6 +38,7 @@ class Options:
     photons: int = None  # photon-map: the nearest so many; automatic: those within a radius
     cone_filter: bool = False  # photon-map: photons count less the farther they are
     final_gather: bool = False  # photon-map: read where rays from the receivers end
+    pixel_samples: int = 16  # lines of sight in a pixel that sees an edge
     time: float = None  # goal: s
     seed: int = 1
     threads: int = 0  # 0 for all

@@ -259,7 +259,8 @@ void WavefrontGather::addVertices(std::size_t i, int blockSize)
   const int trajectories = this->Pool.trajectories;
   if (!this->Rays.pathsOnly())
     for (const VertexSet* set : {&pool.reflected, &pool.glossy})
-      this->addBlock(i, *set, blockSize, this->Rays.blockShare(trajectories, blockSize));
+      this->addBlock(i, *set, set->isGlossy() ? blockSize / glossyCost : blockSize,
+                     this->Rays.blockShare(trajectories, blockSize));
   if (this->Rays.usesStarts())
     this->addBlock(i, pool.emitted, blockSize, this->Rays.startShare(trajectories, blockSize));
 }
