@@ -150,6 +150,7 @@ void AddLuminaires(vtkPolyData* input, kalos::SceneDescription& scene)
     return;
   vtkKalosArrayLengths::Require(input->GetPointData(), input->GetNumberOfPoints(), "luminaires");
   Tables tables(input);
+  auto* names = vtkStringArray::SafeDownCast(input->GetPointData()->GetAbstractArray(Names::LuminaireNames));
   vtkDataArray* flux = input->GetPointData()->GetArray(Names::LuminousFlux);
   vtkDataArray* distribution = input->GetPointData()->GetArray(Names::Distribution);
   if (!flux)
@@ -184,5 +185,6 @@ void AddLuminaires(vtkPolyData* input, kalos::SceneDescription& scene)
       l.table = tables.of(i, kind - 2);
     }
     scene.luminaires.push_back(l);
+    scene.luminaireNames.push_back(names ? names->GetValue(i) : "");
   }
 }

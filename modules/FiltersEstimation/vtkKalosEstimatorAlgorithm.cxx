@@ -135,6 +135,13 @@ void vtkKalosEstimatorAlgorithm::Describe(const kalos::Result& result, vtkFieldD
   AddValue<vtkStringArray>(fieldData, vtkKalosArrayNames::KalosVersion, kalos::version());
 }
 
+void vtkKalosEstimatorAlgorithm::Tell(const kalos::Result& result)
+{
+  for (const auto& line : result.audit)
+    if (this->TellWarnings && line.subject == "warning")
+      vtkWarningMacro(<< line.choice << ": " << line.reason);
+}
+
 void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -152,6 +159,7 @@ void vtkKalosEstimatorAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FinalGather: " << (this->FinalGather ? "on" : "off") << "\n";
   os << indent << "CheckpointFile: " << (this->CheckpointFile ? this->CheckpointFile : "(none)") << "\n";
   os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
+  os << indent << "TellWarnings: " << (this->TellWarnings ? "on" : "off") << "\n";
   os << indent << "KeepScene: " << (this->KeepScene ? "on" : "off") << "\n";
   os << indent << "IntermediateResults: " << (this->IntermediateResults ? "on" : "off") << "\n";
   os << indent << "DisabledTechniques: " << (this->DisabledTechniques ? this->DisabledTechniques : "") << "\n";

@@ -104,6 +104,15 @@ public:
 
   ///@{
   /**
+   * Whether the warnings of the audit are warning events as well, which VTK shows in its output window. Default: on.
+   */
+  vtkSetMacro(TellWarnings, bool);
+  vtkGetMacro(TellWarnings, bool);
+  vtkBooleanMacro(TellWarnings, bool);
+  ///@}
+
+  ///@{
+  /**
    * Seed of the random numbers. Default 1.
    */
   vtkSetMacro(Seed, vtkIdType);
@@ -248,6 +257,9 @@ protected:
   /// Reports progress to VTK and returns false when the user aborts.
   bool ReportProgress(double fraction);
 
+  /// Warning events for the warnings of the audit.
+  void Tell(const kalos::Result& result);
+
   /// Attaches the field data of the class comment.
   void Describe(const kalos::Result& result, vtkFieldData* fieldData) const;
 
@@ -266,6 +278,7 @@ protected:
   char* CheckpointFile = nullptr;
   double CheckpointInterval = 10;
   bool IntermediateResults = false;
+  bool TellWarnings = true;
   bool KeepScene = false;
   char* DisabledTechniques = nullptr;
   vtkMultiProcessController* Controller = nullptr;

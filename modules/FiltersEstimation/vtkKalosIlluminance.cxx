@@ -14,6 +14,7 @@
 #include "ErrorCodes.h"
 #include "ReceiverConversion.h"
 #include "estimator/quantities/DarkReceivers.h"
+#include "estimator/quantities/LostLuminaires.h"
 #include "estimator/solve/Replay.h"
 #include "estimator/solve/Solver.h"
 #include "vtkCommand.h"
@@ -159,7 +160,9 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
     if (result.trajectories == 0)  // stopped before the first round was complete
       return 1;
     kalos::DarkReceivers dark = kalos::findDarkReceivers(*scene, receivers, result);
-    std::move(dark.audit.begin(), dark.audit.end(), std::back_inserter(result.audit));
+    for (const std::vector<kalos::AuditLine>& lines :
+         {dark.audit, kalos::findLostLuminaires(*scene, receivers, dark.valid)})
+      result.audit.insert(result.audit.end(), lines.begin(), lines.end());
     using Pipeline = vtkStreamingDemandDrivenPipeline;
     vtkInformation* asked = outputs->GetInformationObject(0);
     if (asked->Has(Pipeline::UPDATE_PIECE_NUMBER()) && asked->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
@@ -168,6 +171,7 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
       return 1;
     }
     output->ShallowCopy(this->Dress(input, result, dark.valid));
+    this->Tell(result);
   }
   catch (const std::exception& error)
   {

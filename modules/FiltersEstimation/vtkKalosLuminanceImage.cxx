@@ -119,6 +119,7 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
            "or turned away from it"});
     FillImage(output, this->Resolution, result);
     this->Describe(result.estimate, output->GetFieldData());
+    this->Tell(result.estimate);
     using Pipeline = vtkStreamingDemandDrivenPipeline;
     vtkInformation* asked = outputs->GetInformationObject(0);
     if (asked->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) && asked->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)

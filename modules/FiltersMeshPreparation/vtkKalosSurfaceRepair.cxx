@@ -102,6 +102,7 @@ void vtkKalosSurfaceRepair::Work(vtkPolyData* input, kalos::ConvertedMesh& conve
   kalos::meshing::RepairSettings settings;
   settings.tolerance = this->Tolerance;
   settings.sided = emittingCells(input);
+  settings.keepSides = this->KeepSides;
   auto done = kalos::meshing::repair(converted.mesh, settings, kalos::progressOf(this, this->TimeLimit));
   for (const vtkIdType cell : converted.crossing)
   {
@@ -116,4 +117,5 @@ void vtkKalosSurfaceRepair::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "KeepSides: " << (this->KeepSides ? "on" : "off") << "\n";
 }

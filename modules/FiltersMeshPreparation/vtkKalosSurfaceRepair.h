@@ -26,6 +26,8 @@
  * Properties:
  * - Tolerance (0): distance below which points are one, m; 0: 10^-6 of the diagonal, but for each point at most
  *   10^-4 of its shortest edge and at least the rounding of its coordinates, so that gaps stay open on wide sites.
+ * - KeepSides (off): turn no triangle. Before a solve triangles keep their sides: where two faces lie in one place,
+ * each is seen from its own.
  * - TimeLimit (600): time after which the work is given up, s; 0: none.
  *
  * Progress is reported and AbortExecute obeyed; then the outputs are empty.
@@ -53,6 +55,13 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
+  ///@{
+  /** Turn no triangle. */
+  vtkSetMacro(KeepSides, bool);
+  vtkGetMacro(KeepSides, bool);
+  vtkBooleanMacro(KeepSides, bool);
+  ///@}
+
   /** Name of the field data array of what could not be repaired. */
   static const char* UnrepairedArrayName() { return "Unrepaired"; }
 
@@ -63,6 +72,7 @@ protected:
   void Work(vtkPolyData* input, kalos::ConvertedMesh& converted, vtkPolyData* output, vtkTable* report) override;
 
   double Tolerance = 0.0;
+  bool KeepSides = false;
 
 private:
   vtkKalosSurfaceRepair(const vtkKalosSurfaceRepair&) = delete;

@@ -111,7 +111,8 @@ void tellDarkness(const Scene& scene, Notes& notes)
   };
   if (!shines(flux) && !shines(exitance))
   {
-    notes.push_back({"light", "none", "no luminaire has a flux and no surface an exitance: every value is 0"});
+    notes.push_back(
+        {"warning", "nothing emits light", "no luminaire has a flux and no surface an exitance: every value is 0"});
   }
 }
 

@@ -10,7 +10,8 @@ import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendDataSets, vtkAppendPolyData
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkFiltersGeneral import vtkMultiBlockDataGroupFilter
+from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 from kalos.vtk import vtkKalosCalculationPlane, vtkKalosIlluminance, vtkKalosLuminaireSource, vtkKalosPhotometryReader
@@ -75,6 +76,19 @@ def by_data_sets(pieces, folder):
     return geometry.GetOutput()
 
 
+def by_blocks(pieces, folder):
+    """Grouped into blocks, one in another, and made one again, as ParaView's Merge Blocks does."""
+    inner, outer = vtkMultiBlockDataGroupFilter(), vtkMultiBlockDataGroupFilter()
+    for piece in pieces[:2]:
+        inner.AddInputData(piece)
+    outer.AddInputConnection(inner.GetOutputPort())
+    outer.AddInputData(pieces[2])
+    merged = vtkCompositeDataGeometryFilter()
+    merged.SetInputConnection(outer.GetOutputPort())
+    merged.Update()
+    return merged.GetOutput()
+
+
 def by_a_list(pieces, folder):
     """kalos.illuminance(surfaces, [lamp, lamps]) joins them so: the first two come appended already."""
     from kalos.scenes.joined import joined_luminaires
@@ -93,7 +107,7 @@ def by_a_file(pieces, folder):
     return reader.GetOutput()
 
 
-@pytest.mark.parametrize("append", [by_poly_data, by_data_sets, by_a_file, by_a_list])
+@pytest.mark.parametrize("append", [by_poly_data, by_data_sets, by_blocks, by_a_file, by_a_list])
 @pytest.mark.parametrize("order", itertools.permutations(range(3)))
 def test_light_adds_up(lamps, tmp_path, append, order):
     expected = sum(direct(lamp) for lamp in lamps)

@@ -2,7 +2,10 @@
 """Filters that fail say so by GetErrorCode(): UserError for what they were given; and take it back when they succeed."""
 import pytest
 from test_estimation import lamp, probe, surfaces
+from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonMisc import vtkErrorCode
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 from kalos.vtk import vtkKalosGlareRating, vtkKalosIlluminance, vtkKalosLuminanceImage
 
@@ -50,3 +53,34 @@ def test_success_after_failure():
     filter_.SetInputData(1, surfaces())
     filter_.Update()
     assert filter_.GetErrorCode() == vtkErrorCode.NoError
+
+
+@pytest.mark.parametrize("told", [True, False])
+@pytest.mark.parametrize("cls", [vtkKalosIlluminance, vtkKalosLuminanceImage])
+def test_warnings_of_the_audit_are_events(cls, told):
+    """As VTK's and ParaView's output windows show them: here of a white floor on a black one."""
+    floors = vtkAppendPolyData()
+    for reflectance in (0.0, 0.7):
+        floors.AddInputData(surfaces(Reflectance=reflectance))
+    floors.Update()
+    filter_ = cls()
+    filter_.SetTellWarnings(told)
+    filter_.SetTrajectories(64)
+    if cls is vtkKalosIlluminance:
+        filter_.SetInputData(0, probe())
+        filter_.SetInputData(1, floors.GetOutput())
+        filter_.SetInputData(2, lamp())
+    else:
+        filter_.SetInputData(0, floors.GetOutput())
+        filter_.SetInputData(1, lamp())
+    found = []
+
+    def collect(caller, event, message):
+        found.append(message)
+
+    collect.CallDataType = VTK_STRING
+    filter_.AddObserver("WarningEvent", collect)
+    vtkObject.GlobalWarningDisplayOn()
+    filter_.Update()
+    vtkObject.GlobalWarningDisplayOff()
+    assert any("lies on" in text for text in found) == told

@@ -48,8 +48,8 @@ def test_unit_and_axis_of_a_model_as_the_file(tmp_path):
 
 def test_a_scene_without_light_says_so(tmp_path):
     scene = minimal_scene()
-    assert "light" not in reasons(read(write_scene(tmp_path, scene)))
+    assert "warning" not in reasons(read(write_scene(tmp_path, scene)))
     scene["luminaires"][0]["flux"] = 0
-    assert reasons(read(write_scene(tmp_path, scene)))["light"].endswith("every value is 0")
+    assert reasons(read(write_scene(tmp_path, scene)))["warning"].endswith("every value is 0")
     scene["materials"]["white"]["exitance"] = 10
-    assert "light" not in reasons(read(write_scene(tmp_path, scene)))
+    assert "warning" not in reasons(read(write_scene(tmp_path, scene)))

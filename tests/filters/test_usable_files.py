@@ -54,7 +54,7 @@ def check(reader, reflectance, told):
     for subject, reason in told.items():
         assert reason in found.get(subject, ""), found
     if not told:
-        assert not set(found) - {"axes", "light", "receivers", "surfaces without a material"}, found
+        assert not set(found) - {"axes", "warning", "receivers", "surfaces without a material"}, found
 
 
 @pytest.mark.parametrize("obj, mtl, reflectance, told", [

@@ -9,6 +9,7 @@
 #include "estimator/quantities/LuminanceImage.h"
 #include "estimator/solve/Solver.h"
 #include "sampling/Random.h"
+#include "statistics/Replicates.h"
 
 namespace poses
 {
@@ -42,6 +43,74 @@ inline Frame randomAxes(std::uint64_t number)
   axes.t = cross(axes.n, s);
   axes.s = s;
   return axes;
+}
+
+/// Ten rotations about the middle of the furnished room, of which half are mirrored, each with another scale and
+/// another place.
+inline std::vector<Pose> tenPoses()
+{
+  const Vec3 middle{2.5, 2.5, 2.5};
+  std::vector<Pose> all;
+  const double scales[] = {1, 1e-3, 1e3, 1, 30, 0.02, 1, 300, 1, 0.5};
+  const double away[] = {0, 0.1, 1000, 1e6, 0, 0.1, 1000, 1e6, 1, 0};
+  for (std::uint64_t i = 0; i < 10; ++i)
+  {
+    Pose pose;
+    pose.axes = randomAxes(i + 1);
+    pose.mirror = i % 2;
+    pose.scale = scales[i];
+    RandomStream random(100 + i, 0, Purpose::Selection, 0);
+    pose.shift = away[i] * randomDirection(random) - pose.scale * pose.turned(middle);
+    all.push_back(pose);
+  }
+  return all;
+}
+
+/// Averages of independent solves: of each receiver, and of all of them, with the error that they share.
+class Average
+{
+public:
+  void add(const Result& one, double factor)
+  {
+    const auto replicates = static_cast<std::size_t>(one.replicates), receivers = one.illuminance.size();
+    this->Values.resize(receivers);
+    this->Squares.resize(receivers);
+    std::vector<double> means(replicates);
+    const std::size_t count = one.replicateIlluminance.size();
+    for (std::size_t i = 0; i < count; ++i)
+      means[i % replicates] += factor * one.replicateIlluminance[i] * one.replicates / static_cast<double>(count);
+    this->Last = summarise(means.data(), means.size());
+    this->Sum += this->Last.mean;
+    this->SquareSum += this->Last.standardError * this->Last.standardError;
+    for (std::size_t r = 0; r < receivers; ++r)
+    {
+      this->Values[r] += factor * one.illuminance[r];
+      this->Squares[r] += factor * factor * one.standardError[r] * one.standardError[r];
+    }
+    ++this->Count;
+    this->Freedom += one.replicates - 1;
+  }
+
+  int freedom() const { return this->Freedom; }  ///< of the averages
+  const MeanAndError& last() const { return this->Last; }
+  MeanAndError mean() const { return {this->Sum / this->Count, std::sqrt(this->SquareSum) / this->Count}; }
+  MeanAndError at(std::size_t r) const
+  {
+    return {this->Values[r] / this->Count, std::sqrt(this->Squares[r]) / this->Count};
+  }
+  std::size_t size() const { return this->Values.size(); }
+
+private:
+  std::vector<double> Values, Squares;
+  double Sum = 0, SquareSum = 0;
+  MeanAndError Last;
+  int Count = 0, Freedom = 0;
+};
+
+/// In standard errors of the difference.
+inline double apart(const MeanAndError& a, const MeanAndError& b)
+{
+  return std::abs(a.mean - b.mean) / (std::hypot(a.standardError, b.standardError) + 1e-300);
 }
 
 inline SceneDescription posed(SceneDescription d, const Pose& pose)

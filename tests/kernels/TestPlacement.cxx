@@ -33,6 +33,22 @@ TEST(Placement, NoRayGetsOutBesideAnEdge)
   }
 }
 
+// On a wall beside the floor: a receiver that lies above it by half the rounding of its coordinates stays where it is,
+// one by a hundredth of it is moved off the floor, and one that is below by twice the rounding stays below.
+TEST(Placement, OnlyWhatIsInDoubtIsMoved)
+{
+  SceneDescription d = rooms::litRoom(0.6);
+  rooms::translate(d, {2.5, 2.5, 2.5});  // the floor at 2.5 m, and as far from the centre
+  const Scene scene(d);
+  const double rounding = 2.5 * 0x1.0p-23;
+  for (const double share : {0.5, 0.01, -2.0})
+  {
+    const Vec3 p = Vec3{2.5, 5, 2.5 + share * rounding} - scene.origin();
+    const double moved = placeReceiver(scene, p, {1, 0, 0}).point.z - p.z;
+    EXPECT_TRUE(share == 0.01 ? moved > rounding : moved == 0) << share << ": " << moved;
+  }
+}
+
 // On the side of a box, on its foot and in the corner of a room, from a nanometre to a millimetre off the floor:
 // everywhere 250 lx, in any pose. 7 degrees of freedom, 96 values: 12 standard errors raise a false alarm of 7e-4.
 TEST(Placement, FurnaceAtTheFoot)

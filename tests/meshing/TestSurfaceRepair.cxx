@@ -126,6 +126,22 @@ TEST(SurfaceRepair, StitchesCornersThatLieOnBorders)
   EXPECT_EQ(report.surfaces, 1u);
 }
 
+// Pieces stand where their triangle stood, before what comes later in the file; with keepSides nothing is turned.
+TEST(SurfaceRepair, KeepsOrderAndSides)
+{
+  TriangleMesh mesh;
+  addQuad(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1);
+  addQuad(mesh, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, 3);  // looks the other way
+  RepairSettings settings;
+  settings.keepSides = true;
+  const RepairReport report = repair(mesh, settings);
+  EXPECT_GT(report.splitTriangles, 0u);
+  EXPECT_EQ(report.turned, 0u);
+  EXPECT_TRUE(std::is_sorted(mesh.origin.begin(), mesh.origin.end()));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    EXPECT_EQ(doubledArea(mesh, mesh.triangles[t])[2] > 0, mesh.origin[t] < 2) << t;
+}
+
 TEST(SurfaceRepair, MoreBorderPointsThanOneSideHolds)
 {
   // A large triangle with other triangles' corners on all of its sides.

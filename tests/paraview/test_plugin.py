@@ -20,7 +20,7 @@ pv.LoadPlugin(PLUGIN, remote=False, ns=pv.__dict__)
 
 # Stem of each XML and the group of its proxy.
 STEMS = {"CalculationPlane": "sources", "LuminaireSource": "sources", "SceneReader": "sources", "EXRReader": "sources",
-         "PhotometryReader": "sources",
+         "PhotometryReader": "sources", "MeshReader": "sources",
          "EXRWriter": "writers", "HDRWriter": "writers", "GlareRating": "filters", "FalseColor": "filters", "Illuminance": "filters", "LuminanceImage": "filters",
          "SurfaceRepair": "filters", "SurfaceRemesh": "filters", "SingularEdges": "filters"}
 
@@ -91,6 +91,19 @@ class Plugin(unittest.TestCase):
             mask = servermanager.Fetch(line).GetPointData().GetArray("vtkValidPointMask")
             found = sum(int(mask.GetTuple1(i)) for i in range(mask.GetNumberOfTuples()))
             self.assertEqual(found, 101, f"a plane at {height} m")
+
+    def test_models_in_millimetres_with_y_up(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "quad.obj")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("v 0 0 0\nv 2000 0 0\nv 2000 1000 0\nv 0 1000 0\nf 1 2 3 4\n")
+            reader = pv.KalosSceneReader(FileName=path, ModelUnitm=0.001, ModelUp="y")
+            bounds = reader.GetDataInformation(0).GetBounds() if not reader.UpdatePipeline() else None
+            for found, expected in zip(bounds, (0, 2, 0, 0, 0, 1)):
+                self.assertAlmostEqual(found, expected, places=6)
+            mesh = pv.KalosMeshReader(FileName=path)
+            mesh.UpdatePipeline()
+            self.assertAlmostEqual(mesh.GetDataInformation().GetBounds()[1], 2000)
 
     def test_scene_lux_colours_and_exr(self):
         scene = pv.OpenDataFile(os.path.join(SOURCE, "data", "cornell", "cornell.json"))

@@ -107,6 +107,7 @@ Scene::Scene(SceneDescription description)
         l.isOneSided()
             ? this->anchorWithin(l.position, l.axis, 0.5 * length(l.sideU + l.sideV) + this->contact(l.position))
             : RayAnchor(l.position));
+  this->Coplanar = findCoplanarFaces(*this);
   this->Glossy = std::make_shared<const GlossyPlanes>(*this);
 }
 
@@ -152,10 +153,40 @@ SurfacePoint Scene::point(const Hit& hit, const Vec3& direction) const
   // The point from the barycentric weights lies in the triangle's plane to double precision, as the kernels need.
   const Vec3 a = this->corner(hit.triangle, 0);
   point.position = a + hit.u * (this->corner(hit.triangle, 1) - a) + hit.v * (this->corner(hit.triangle, 2) - a);
-  const Vec3& n = this->Normals[hit.triangle];
+  if (this->isOverlapped(hit.triangle))
+  {
+    point.triangle = this->uppermost(hit.triangle, point.position, direction);
+    const Vec3& plane = this->Normals[point.triangle];
+    point.position += dot(this->corner(point.triangle, 0) - point.position, plane) * plane;
+  }
+  const Vec3& n = this->Normals[point.triangle];
   point.front = dot(n, direction) < 0;
   point.normal = point.front ? n : -n;
   return point;
+}
+
+std::uint32_t Scene::uppermost(std::uint32_t t, const Vec3& p, const Vec3& direction) const
+{
+  if (!this->isOverlapped(t))
+    return t;
+  std::uint32_t top = t;
+  const double here = this->reach(t, p);
+  this->Rays.nearby(p, 2 * std::max(here, this->contact(p)), [&](std::uint32_t o) {
+    const double height = std::abs(dot(p - this->corner(o, 0), this->Normals[o]));
+    if (this->isOverlapped(o) && std::abs(dot(this->Normals[o], this->Normals[t])) > 0.998 &&
+        height <= std::max(here, this->reach(o, p)) && this->isOver(o, p, 0) && liesOver(*this, o, top, direction))
+      top = o;
+    return true;
+  });
+  return top;
+}
+
+std::vector<std::array<Vec3, 3>> Scene::luminousParts(std::uint32_t triangle) const
+{
+  const auto found = this->Coplanar.luminousParts.find(triangle);
+  if (found != this->Coplanar.luminousParts.end())
+    return found->second;
+  return {{this->corner(triangle, 0), this->corner(triangle, 1), this->corner(triangle, 2)}};
 }
 
 namespace

@@ -11,6 +11,7 @@
 #include "geometry/Vector.h"
 #include "luminaire/Luminaire.h"
 #include "material/Brdf.h"
+#include "scene/CoplanarFaces.h"
 #include "scene/GlossyPlanes.h"
 #include "scene/RayScene.h"
 
@@ -27,6 +28,7 @@ struct SceneDescription
   std::vector<Luminaire> luminaires;
   std::vector<std::uint32_t> triangleSurface;  ///< index into surfaceNames, one per triangle; or empty
   std::vector<std::string> surfaceNames;       ///< for messages; or empty: materials stand for surfaces
+  std::vector<std::string> luminaireNames;     ///< for messages; or empty: numbers stand for them
 };
 
 /// A point of a surface, found by a ray.
@@ -81,6 +83,19 @@ public:
   double area(std::uint32_t triangle) const { return this->Areas[triangle]; }
   Vec3 corner(std::uint32_t triangle, int i) const { return this->Data.points[this->Data.triangles[triangle][i]]; }
 
+  /// Faces that lie in one place, and whether a triangle does with another, in part at least.
+  const std::vector<Overlap>& overlaps() const { return this->Coplanar.overlaps; }
+  bool isOverlapped(std::uint32_t triangle) const
+  {
+    return !this->Coplanar.marks.empty() && this->Coplanar.marks[triangle];
+  }
+
+  /// The triangle that a ray along `direction` sees at a point p of triangle t, which may be overlapped there.
+  std::uint32_t uppermost(std::uint32_t t, const Vec3& p, const Vec3& direction) const;
+
+  /// The parts of a luminous triangle that shine: all of it, but for those that lie under others.
+  std::vector<std::array<Vec3, 3>> luminousParts(std::uint32_t triangle) const;
+
   /// First surface point along a ray from a start (see anchor()), or from a point in free space.
   SurfacePoint trace(const RayAnchor& start, const Vec3& direction) const;
 
@@ -108,6 +123,13 @@ public:
   const RayAnchor& luminaireAnchor(std::size_t i) const { return this->LuminaireAnchors[i]; }
 
   const GlossyPlanes& glossyPlanes() const { return *this->Glossy; }
+
+  /// How far, m, single precision may put a ray from or to p on a triangle off its plane.
+  double reach(std::uint32_t triangle, const Vec3& p) const
+  {
+    const Lift& lift = this->Lifts[triangle];
+    return lift.base + lift.slope * absDot(this->Normals[triangle], p);
+  }
 
   /// Distance, m, below which a point may be meant to lie on a surface.
   double contact(const Vec3& p) const { return roundingScale * (maxAbs(p) + 0.05 * this->Size); }
@@ -145,6 +167,7 @@ private:
   std::vector<Lift> Lifts;
   double SurfaceArea = 0;
   std::vector<RayAnchor> LuminaireAnchors;
+  CoplanarFaces Coplanar;
   std::shared_ptr<const GlossyPlanes> Glossy;
 };
 }  // namespace kalos

@@ -68,12 +68,12 @@ void chooseSides(TriangleMesh& mesh, const RepairSettings& settings, std::vector
     const Votes& v = votes[surface[t]];
     const bool disagree = v.sidedTurned && v.sidedUnturned;
     const bool flip = v.sidedTurned || (!v.sidedUnturned && v.turned > v.unturned);
-    if (disagree ? turned[t] != 0 : flip)
+    if (disagree || settings.keepSides ? turned[t] != 0 : flip)
     {
       std::swap(mesh.triangles[t][0], mesh.triangles[t][2]);
       turned[t] = !turned[t];
     }
-    if (disagree && sided(t))
+    if (disagree && sided(t) && !settings.keepSides)
       report.unrepaired.push_back({mesh.origin[t], "emitting triangles of one surface face opposite ways; left so"});
     report.turned += turned[t];
   }
@@ -100,6 +100,25 @@ void nameDuplicates(const TriangleMesh& mesh, std::vector<Unrepaired>& unrepaire
     if (places[i].corners == places[i - 1].corners && places[i].material != places[i - 1].material)
       unrepaired.push_back({places[i].origin, "the same corners as another cell, of another material; both kept"});
   }
+}
+// Pieces of triangles stand at the end: back to where these stood, as of faces in one plane the later lies on top.
+void sortByOrigin(TriangleMesh& mesh)
+{
+  if (std::is_sorted(mesh.origin.begin(), mesh.origin.end()))
+    return;
+  std::vector<std::size_t> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return mesh.origin[a] < mesh.origin[b]; });
+  TriangleMesh sorted;
+  sorted.points = std::move(mesh.points);
+  for (const std::size_t t : order)
+  {
+    sorted.triangles.push_back(mesh.triangles[t]);
+    sorted.origin.push_back(mesh.origin[t]);
+    sorted.material.push_back(mesh.material[t]);
+  }
+  mesh = std::move(sorted);
 }
 }  // namespace
 
@@ -154,6 +173,7 @@ RepairReport repair(TriangleMesh& mesh, const RepairSettings& settings, const Pr
   report(progress, 0.85);
   chooseSides(mesh, settings, turned, result);
   dropUnusedPoints(mesh);
+  sortByOrigin(mesh);
 
   const EdgeCounts edges = countEdges(mesh);
   result.borderAfter = edges.border;

@@ -13,6 +13,7 @@ struct RepairSettings
 {
   double tolerance = 0.0;           ///< distance below which points are one, m; 0: see Tolerances.h
   std::vector<std::uint8_t> sided;  ///< by origin: the triangle's side matters, as it emits; empty: none does
+  bool keepSides = false;           ///< turn no triangle
 };
 
 struct Unrepaired
@@ -45,6 +46,7 @@ struct RepairReport
  * tolerance) and duplicates of the same material (those whose side matters, of the same side); cut triangles where
  * corners of others lie on their border edges, and so stitch; give each connected surface one side, the one that most
  * of its area has, or that its emitting triangles have; give non-manifold edges and vertices a point for each surface.
+ * Triangles stay in the order of their origins.
  *
  * What cannot be repaired stays and is named: duplicates of different materials, surfaces whose emitting triangles
  * disagree. Throws as check() and report() do.

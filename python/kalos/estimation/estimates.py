@@ -72,6 +72,7 @@ def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, n
     if normals.ndim == 1:
         normals = np.ascontiguousarray(np.broadcast_to(normals, points.shape))
     filter_ = vtkKalosIlluminance()
+    filter_.TellWarningsOff()  # they are in the result
     filter_.SetInputData(0, receivers(points, normals))
     filter_.SetInputData(1, joined_surfaces(surfaces))
     filter_.SetInputData(2, joined_luminaires(luminaires))
@@ -112,6 +113,7 @@ def luminance(surfaces: Surfaces, luminaires: Luminaires, position: ArrayLike, t
                               checkpoint=checkpoint, pixel_samples=pixel_samples)
     filter_ = vtkKalosLuminanceImage()
     filter_.SetPixelSamples(options.pixel_samples)
+    filter_.TellWarningsOff()
     filter_.SetInputData(0, joined_surfaces(surfaces))
     filter_.SetInputData(1, joined_luminaires(luminaires))
     for name, value, put in (("position", position, filter_.SetPosition), ("target", target, filter_.SetTarget),

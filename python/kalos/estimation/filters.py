@@ -6,6 +6,7 @@ from kalos.vtk import vtkKalosIlluminance, vtkKalosLuminanceImage
 def illuminance_filter(reader, options):
     """The filter that estimates all receiver sets of the scene."""
     estimator = vtkKalosIlluminance()
+    estimator.TellWarningsOff()  # who asks reads them in the audit
     estimator.KeepReplicatesOn()  # for the errors of means and ratios
     estimator.SetInputConnection(0, reader.GetOutputPort(2))
     estimator.SetInputConnection(1, reader.GetOutputPort(0))
@@ -18,6 +19,7 @@ def illuminance_filter(reader, options):
 def luminance_filter(reader, index, options):
     """The filter that estimates what camera `index` of the scene sees."""
     estimator = vtkKalosLuminanceImage()
+    estimator.TellWarningsOff()
     estimator.SetInputConnection(0, reader.GetOutputPort(0))
     estimator.SetInputConnection(1, reader.GetOutputPort(1))
     for get, put in ((reader.GetCameraPosition, estimator.SetPosition), (reader.GetCameraTarget, estimator.SetTarget),

@@ -9,7 +9,7 @@ from kalos.core import arrays
 from kalos.preparation.mesh import EDGE_CLASSES, lengths, of_file, table, unrepaired
 from kalos.vtk import vtkKalosSingularEdges, vtkKalosSurfaceRepair
 
-# What a repair can do to the light in a scene. Points merged in place, points split and triangles turned are not seen:
+# What a repair can do to the light in a scene. Points merged in place and points split are not seen, and no triangle is turned:
 # reflection is two-sided, and triangles that emit keep their side.
 CHANGES = {"points moved by merging": "points moved", "degenerate triangles dropped": "degenerate triangles dropped",
            "duplicate triangles dropped": "duplicate triangles dropped", "triangles cut to stitch": "triangles cut to stitch"}
@@ -47,6 +47,7 @@ def prepare_scene(scene, reader):
         return Prepared()
     repair = vtkKalosSurfaceRepair()
     repair.SetInputData(surfaces)
+    repair.KeepSidesOn()
     repaired = of_file(scene, repair, "repair", PATIENCE)
     done = table(repair.GetReport())
     edges = vtkKalosSingularEdges()

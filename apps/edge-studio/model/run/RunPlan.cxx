@@ -45,6 +45,7 @@ RunPlan planReceivers(const SceneDocument& scene, vtkDataObject* receivers, cons
                       bool previews)
 {
   auto illuminance = vtkSmartPointer<vtkKalosIlluminance>::New();
+  illuminance->TellWarningsOff();  // the panel of the audit shows them
   const auto all = copyOf(receivers);
   illuminance->SetKeepReplicates(countOf(all) <= fewReceivers);
   illuminance->SetInputData(1, copyOf(scene.surfaces()));
@@ -68,6 +69,7 @@ RunPlan planImage(const SceneDocument& scene, const CameraPreset& camera, int wi
                   const MethodSettings& settings)
 {
   auto image = vtkSmartPointer<vtkKalosLuminanceImage>::New();
+  image->TellWarningsOff();
   image->SetInputData(0, copyOf(scene.surfaces()));
   image->SetInputData(1, copyOf(scene.luminaires()));
   image->SetPosition(camera.position.GetData());

@@ -56,6 +56,7 @@ public:
     this->Illuminance->SetMethod(vtkKalosIlluminance::LOCAL);
     this->Illuminance->SetTrajectories(1);
     this->Illuminance->KeepSceneOn();
+    this->Illuminance->TellWarningsOff();
     this->Points->SetDataTypeToDouble();
     this->Points->DeepCopy(set->GetPoints());
     this->Places.resize(static_cast<std::size_t>(set->GetNumberOfPoints()));

@@ -30,13 +30,11 @@ DirectLight::DirectLight(const Scene& scene, bool withMeshes, bool shadows)
   for (std::uint32_t t = 0; t < scene.data().triangles.size(); ++t)
   {
     const Bands& exitance = scene.material(t).exitance;
-    if (photometric(exitance, scene.bands()) > 0)
-      this->Areas.push_back({{scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2), {}},
-                             3,
-                             scene.normal(t),
-                             exitance,
-                             nullptr,
-                             scene.anchor(t, scene.corner(t, 0), scene.normal(t))});
+    if (!(photometric(exitance, scene.bands()) > 0))
+      continue;
+    for (const auto& [a, b, c] : scene.luminousParts(t))
+      this->Areas.push_back(
+          {{a, b, c, {}}, 3, scene.normal(t), exitance, nullptr, scene.anchor(t, a, scene.normal(t))});
   }
 }
 

@@ -80,10 +80,10 @@ bool MirrorImages::covers(std::uint32_t t, const Vec3& p) const
   return true;
 }
 
-const std::uint32_t* MirrorImages::triangleAt(const Plane& plane, const Vec3& p) const
+const std::uint32_t* MirrorImages::triangleAt(const Plane& plane, const Vec3& p, const Vec3& direction) const
 {
   for (const std::uint32_t& t : plane.triangles)
-    if (this->covers(t, p))
+    if (this->covers(t, p) && this->Scene_.uppermost(t, p, direction) == t)
       return &t;
   return nullptr;
 }
@@ -101,7 +101,7 @@ double MirrorImages::follow(const Image& image, const Sensor& sensor) const
     if (!(height * depth < 0))
       return 0;
     const Vec3 q = from + (height / (height - depth)) * (i->position - from);
-    const std::uint32_t* triangle = this->triangleAt(plane, q);
+    const std::uint32_t* triangle = this->triangleAt(plane, q, q - from);
     if (!triangle)
       return 0;
     weight *= this->Scene_.material(*triangle).mirror;

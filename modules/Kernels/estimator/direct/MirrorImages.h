@@ -52,7 +52,8 @@ private:
   };
   void findPlanes();
   void addImage(std::size_t luminaire, std::size_t plane, int parent);
-  const std::uint32_t* triangleAt(const Plane& plane, const Vec3& p) const;  // null: p is beside the mirror
+  // What a ray along `direction` meets at p; null: p is beside the mirror, or another face covers it there.
+  const std::uint32_t* triangleAt(const Plane& plane, const Vec3& p, const Vec3& direction) const;
   bool covers(std::uint32_t triangle, const Vec3& p) const;
   double follow(const Image& image, const Sensor& sensor) const;  // m1 m2 .. I V
 

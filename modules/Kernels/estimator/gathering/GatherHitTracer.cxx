@@ -110,7 +110,8 @@ bool GatherHitTracer::locateHit(const Sensor& sensor, const SegmentPacket& packe
   const float d[3] = {packet.dx[i], packet.dy[i], packet.dz[i]};
   distance = found.distance[i];
   hit.near = false;
-  if (found.triangle[i] == HitPacket::noTriangle || !isFarFrom(sensor.anchor, static_cast<double>(distance * distance)))
+  if (found.triangle[i] == HitPacket::noTriangle || this->Rays.scene().isOverlapped(found.triangle[i]) ||
+      !isFarFrom(sensor.anchor, static_cast<double>(distance * distance)))
   {
     // A miss in single precision may have slipped between two triangles.
     const SurfacePoint y = this->Rays.scene().trace(sensor.anchor, {d[0], d[1], d[2]});

@@ -5,6 +5,7 @@
 
 #include "estimator/solve/AdaptiveSampling.h"
 #include "estimator/solve/Checkpoint.h"
+#include "estimator/solve/OverlapAudit.h"
 #include "estimator/solve/RunningSolve.h"
 #include "estimator/solve/SolveAudit.h"
 #include "estimator/tally/CheckFinite.h"
@@ -195,7 +196,8 @@ void Solve::finish()
   result.cpuSeconds = run.ranks.sum(result.cpuSeconds);
   result.rays = static_cast<decltype(result.rays)>(run.ranks.sum(static_cast<double>(result.rays)));
   result.audit = auditMaterials(run.scene);
-  for (const std::vector<AuditLine>& lines : {run.estimator->audit(), run.tally.auditEnergy()})
+  for (const std::vector<AuditLine>& lines :
+       {run.estimator->audit(), run.tally.auditEnergy(), auditOverlaps(run.scene)})
     result.audit.insert(result.audit.end(), lines.begin(), lines.end());
   if (!result.goal.empty())
     result.audit.push_back(auditGoal(run.settings, result));

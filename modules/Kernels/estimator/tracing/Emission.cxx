@@ -16,8 +16,11 @@ Emission::Emission(const Scene& scene) : Scene_(scene)
     const double exitance = photometric(scene.material(t).exitance, scene.bands());
     if (!(exitance > 0))
       continue;
-    this->Triangles.push_back(t);
-    add(exitance * scene.area(t));
+    for (const std::array<Vec3, 3>& part : scene.luminousParts(t))
+    {
+      this->Parts.push_back({t, part});
+      add(exitance * 0.5 * length(cross(part[1] - part[0], part[2] - part[0])));
+    }
   }
 }
 
@@ -31,7 +34,7 @@ EmissionSample Emission::sample(SampleStream& random) const
   const double u = std::min((target - before) / (this->Cumulative[i] - before), 0x1.fffffffffffffp-1);
   const std::size_t luminaires = this->Scene_.data().luminaires.size();
   return i < luminaires ? this->fromLuminaire(i, u, random)
-                        : this->fromTriangle(this->Triangles[i - luminaires], u, random);
+                        : this->fromTriangle(this->Parts[i - luminaires], u, random);
 }
 
 EmissionSample Emission::fromLuminaire(std::size_t i, double u, SampleStream& random) const
@@ -52,17 +55,17 @@ EmissionSample Emission::fromLuminaire(std::size_t i, double u, SampleStream& ra
   return start;
 }
 
-EmissionSample Emission::fromTriangle(std::uint32_t t, double u, SampleStream& random) const
+EmissionSample Emission::fromTriangle(const Part& part, double u, SampleStream& random) const
 {
   double b1, b2;
   uniformTriangle(u, random.next(), b1, b2);
-  const Vec3 a = this->Scene_.corner(t, 0);
+  const auto& [t, corners] = part;
+  const Vec3& a = corners[0];
   EmissionSample start;
   start.onSurface = true;
   start.triangle = t;
   const Vec3& n = this->Scene_.normal(t);
-  start.anchor =
-      this->Scene_.anchor(t, a + b1 * (this->Scene_.corner(t, 1) - a) + b2 * (this->Scene_.corner(t, 2) - a), n);
+  start.anchor = this->Scene_.anchor(t, a + b1 * (corners[1] - a) + b2 * (corners[2] - a), n);
   const double v1 = random.next(), v2 = random.next();
   start.direction = Frame(n).toWorld(cosineHemisphere(v1, v2));
   const Bands& exitance = this->Scene_.material(t).exitance;

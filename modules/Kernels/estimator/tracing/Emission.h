@@ -32,13 +32,18 @@ public:
   EmissionSample sample(SampleStream& random) const;
 
 private:
+  struct Part
+  {
+    std::uint32_t triangle;
+    std::array<Vec3, 3> corners;  // of it, or of what is not covered
+  };
   // u: uniform in [0,1), left over from the choice of the emitter.
   EmissionSample fromLuminaire(std::size_t luminaire, double u, SampleStream& random) const;
-  EmissionSample fromTriangle(std::uint32_t triangle, double u, SampleStream& random) const;
+  EmissionSample fromTriangle(const Part& part, double u, SampleStream& random) const;
 
   const Scene& Scene_;
-  std::vector<std::uint32_t> Triangles;  // the emitting ones
-  std::vector<double> Cumulative;        // flux up to and including luminaire or triangle i
+  std::vector<Part> Parts;         // of the emitting triangles
+  std::vector<double> Cumulative;  // flux up to and including luminaire or triangle i
   double TotalFlux = 0;
 };
 }  // namespace kalos
