@@ -10,9 +10,13 @@
 // (with q the distance from it over alpha 2/(1/h_x + 1/h_r), and that over cos^2 along the plane of incidence,
 // p_m ~ 1/(1 + q^2)^2); p_x and p_r are what a lamp at x and one at the sensor would send to the plane if they shone
 // evenly below. So the score is bounded by spikes of the lobe, of a lamp near the plane, and of a sensor near it:
-// each is weighed by the density that draws it (one-sample balance heuristic).
+// each is weighed by the density that draws it (one-sample balance heuristic). Of 800 000 scores over lobes of
+// roughness 0.03 to 0.5, lamps and sensors from 1 mm to 10 m over the plane, the largest was 15 times what the mirror
+// image would send straight at the sensor. Highlights of curved surfaces are left to vertices and gather rays.
 //
-// Measured in the zoo at 4096 trajectories, a floor of roughness 0.05: see tests/zoo/gloss.py.
+// Processor seconds to 1 % rms error of `compensated` without and with it, in the zoo: a floor of roughness 0.05 57 and
+// 0.11, of 0.2 0.62 and 0.046; the foot of a polished block 2700 and 0.086; a lamp 1 cm above a plate of 0.05 16 and
+// 0.023.
 #ifndef kalos_estimator_direct_Highlights_h
 #define kalos_estimator_direct_Highlights_h
 
