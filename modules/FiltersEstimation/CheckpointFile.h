@@ -11,7 +11,7 @@
 class CheckpointFile : public kalos::CheckpointStore
 {
 public:
-  /// `warn` hears, once, why the file cannot be written; what it held before stays, and the solve goes on.
+  /// `warn` is called once with the reason when the file cannot be written; its content stays, and the solve goes on.
   CheckpointFile(std::string name, double interval, std::function<void(const std::string&)> warn)
       : Name(std::move(name)), Interval(interval), Warn(std::move(warn))
   {

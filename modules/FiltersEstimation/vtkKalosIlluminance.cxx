@@ -110,8 +110,8 @@ vtkSmartPointer<vtkDoubleArray> ReplayTable(const kalos::Replay& replay)
 }
 }  // namespace
 
-vtkSmartPointer<vtkDataObject> vtkKalosIlluminance::Dress(vtkDataObject* receivers, const kalos::Result& result,
-                                                          const std::vector<char>& valid) const
+vtkSmartPointer<vtkDataObject> vtkKalosIlluminance::MakeOutput(vtkDataObject* receivers, const kalos::Result& result,
+                                                               const std::vector<char>& valid) const
 {
   vtkSmartPointer<vtkDataObject> dressed = CopyWithOwnLeaves(receivers);
   std::size_t next = 0;
@@ -149,7 +149,7 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
     const std::vector<char> allValid(receivers.points.size(), 1);  // until the end, when dark receivers are examined
     if (this->IntermediateResults)
       show = [&](const kalos::Result& soFar) {
-        this->InvokeEvent(vtkCommand::UpdateDataEvent, this->Dress(input, soFar, allValid).Get());
+        this->InvokeEvent(vtkCommand::UpdateDataEvent, this->MakeOutput(input, soFar, allValid).Get());
       };
     const ControllerRanks ranks(this->Controller);
     const auto checkpoint = this->MakeCheckpoint();
@@ -170,7 +170,7 @@ int vtkKalosIlluminance::RequestData(vtkInformation*, vtkInformationVector** inp
       output->Initialize();  // piece 0 holds everything
       return 1;
     }
-    output->ShallowCopy(this->Dress(input, result, dark.valid));
+    output->ShallowCopy(this->MakeOutput(input, result, dark.valid));
     this->Tell(result);
   }
   catch (const std::exception& error)

@@ -29,10 +29,10 @@
 #ifndef vtkKalosIlluminance_h
 #define vtkKalosIlluminance_h
 
-#include <vector>  // for Dress
+#include <vector>  // for MakeOutput
 
 #include "vtkKalosEstimatorAlgorithm.h"
-#include "vtkSmartPointer.h"  // for Dress
+#include "vtkSmartPointer.h"  // for MakeOutput
 
 class VTKKALOSFILTERSESTIMATION_EXPORT vtkKalosIlluminance : public vtkKalosEstimatorAlgorithm
 {
@@ -80,8 +80,8 @@ protected:
 
 private:
   /// A copy of the receivers that carries a result, and the flag Valid of each receiver.
-  vtkSmartPointer<vtkDataObject> Dress(vtkDataObject* receivers, const kalos::Result& result,
-                                       const std::vector<char>& valid) const;
+  vtkSmartPointer<vtkDataObject> MakeOutput(vtkDataObject* receivers, const kalos::Result& result,
+                                            const std::vector<char>& valid) const;
 
   vtkKalosIlluminance(const vtkKalosIlluminance&) = delete;
   void operator=(const vtkKalosIlluminance&) = delete;

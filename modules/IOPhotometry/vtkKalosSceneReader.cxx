@@ -70,7 +70,7 @@ std::string readText(const std::string& path)
   return text;
 }
 
-/** The scene file's text, or for a model the scene that holds nothing but it. */
+/** The scene file's text, or for a model a scene with only the model. */
 nlohmann::json readJson(const std::string& path, double unit, const std::string& up)
 {
   if (!isModelFile(path))

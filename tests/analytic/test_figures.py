@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The figures of `kalos validate --figures`, at a fraction of their effort: that they are printed and can be missed."""
+"""`kalos validate --figures` at a fraction of its effort: the figures are printed, and a missed one fails."""
 import pytest
 
 from kalos.validation import figures, truths

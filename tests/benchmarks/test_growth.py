@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The growth curves, at their smallest sizes: that the scenes are what they are said to be, and the exponent is one."""
+"""The growth curves at their smallest sizes: the scenes have the announced sizes, and the exponent is one."""
 import numpy as np
 import pytest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A test that stands in no CMake list never runs: there is none."""
+"""Every test is in a CMake list: others would never run."""
 import re
 
 from sources import ROOT, name, sources

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The version stands in CMakeLists.txt; what cannot be made from it, agrees with it."""
+"""The version is that of CMakeLists.txt everywhere."""
 import re
 
 import pytest

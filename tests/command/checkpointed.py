@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A solve that is kept after every round, as a program to be killed: SCENE CHECKPOINT OUT.npy [LIMIT]."""
+"""A solve that saves a checkpoint after every round, as a program to be killed: SCENE CHECKPOINT OUT.npy [LIMIT]."""
 import resource
 import sys
 

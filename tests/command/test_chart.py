@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""`kalos chart`: what it writes, what it says, what it refuses."""
+"""`kalos chart`: its files, its output and its errors."""
 import csv
 import json
 import xml.etree.ElementTree as xml

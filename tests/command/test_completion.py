@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A shell that asks what may follow is answered, by argcomplete."""
+"""Completion in a shell, by argcomplete."""
 import os
 import shutil
 import subprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where a number comes from: version and seed in every output, one replicate played again, warnings about the light."""
+"""Provenance: version and seed in every output, the replay of a replicate, warnings about the light."""
 import csv
 import json
 import re

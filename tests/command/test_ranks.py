@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""kalos solve under mpiexec: the numbers of one process, one set of words and files, and an end when a rank fails."""
+"""kalos solve under mpiexec: the numbers of one process, messages and files only once, and an end when a rank fails."""
 import json
 import os
 import shutil

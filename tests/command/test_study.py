@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""`kalos study`: what it writes, what it keeps, what it refuses."""
+"""`kalos study`: its files, the reference that it keeps, and its errors."""
 import csv
 import json
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of models share: reading one, and what came out of it."""
+"""What the tests of models share: reading a model and its content."""
 import numpy as np
 from helpers import update_error
 from kalos.estimation.filters import illuminance_filter

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is wrong with a glTF is named, in one line."""
+"""Errors of glTF files, in one line each."""
 import json
 
 import pytest

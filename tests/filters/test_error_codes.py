@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Filters that fail say so by GetErrorCode(): UserError for what they were given; and take it back when they succeed."""
+"""GetErrorCode() of filters that fail: UserError for bad input; NoError again when they succeed."""
 import pytest
 from test_estimation import lamp, probe, surfaces
 from vtkmodules.util.vtkConstants import VTK_STRING

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a reader asks about when a model has no unit, no axis and no light of its own."""
+"""Models without a unit, an upward axis or light."""
 import numpy as np
 import pytest
 

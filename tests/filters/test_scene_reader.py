@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scene files that are as they should be."""
+"""Valid scene files."""
 import math
 
 import numpy as np

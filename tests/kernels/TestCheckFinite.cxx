@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers that are none stop a solve; the light's balance holds and tells of leaks and turned normals; a replicate can
-// be played again.
+// Scores that are not finite stop a solve; the energy balance holds and reveals leaks and turned normals; a replicate
+// can be played again.
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
@@ -138,7 +138,7 @@ TEST(EnergyBalance, AnOpeningLetsOutItsShare)
   EXPECT_EQ(line(result, "warning"), "");
 }
 
-// A slit of 5 mm along one wall: 0.04 % of the light gets out, and what it was last seen at is named.
+// A slit of 5 mm along one wall: 0.04 % of the light gets out, and the audit names the surface that it left last.
 TEST(EnergyBalance, ALeakIsAWarningWithTheSurface)
 {
   SceneDescription d = rooms::litRoom(0.6);
@@ -166,7 +166,7 @@ TEST(EnergyBalance, TurnedNormalsAreWarnings)
             "what is of material 1 shines out of the scene; its normals may be turned; it emits on their side\n");
 }
 
-// The mean of all replicates played again is the illuminance, to the last bit.
+// The mean of all replayed replicates is the illuminance, to the last bit.
 TEST(Replay, IsTheReplicateOfTheSolve)
 {
   SceneDescription d = rooms::furnace(0.6, 50);

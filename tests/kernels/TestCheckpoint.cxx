@@ -52,7 +52,7 @@ Result expectResumed(const Receivers& receivers, Settings s, Shelf& shelf)
 }
 }  // namespace
 
-// From each round of each method, with another number of threads, to bitwise the same end.
+// Every method resumes from each of its rounds, with another number of threads, and ends with bitwise the same numbers.
 TEST(Checkpoint, ResumedSolvesGiveBitwiseTheSameNumbers)
 {
   for (const Method method :
@@ -87,7 +87,7 @@ TEST(Checkpoint, ResumedSolvesLetTheSameReceiversRest)
   }
 }
 
-// Stopped within a round: what is saved is the last complete one, and time goes on where it was.
+// A solve that is stopped within a round saves the last complete one; the time continues from there.
 TEST(Checkpoint, AbortedSolvesKeepTheirLastRound)
 {
   const Scene scene(room());
@@ -108,7 +108,7 @@ TEST(Checkpoint, AbortedSolvesKeepTheirLastRound)
   EXPECT_GT(resumed.seconds, aborted.seconds);
 }
 
-// What is saved seldom is the last round all the same.
+// Even when saving is rare, the last round is saved.
 TEST(Checkpoint, TheLastRoundIsSaved)
 {
   const Scene scene(room());

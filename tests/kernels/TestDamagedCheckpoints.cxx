@@ -11,7 +11,7 @@ using namespace kalos;
 
 namespace
 {
-// What is said about a checkpoint; empty when the solve went on from it.
+// The message about a refused checkpoint; empty when the solve resumed from it.
 std::string refusal(const std::string& bytes,
                     const std::function<void(SceneDescription&, Receivers&, Settings&)>& change)
 {

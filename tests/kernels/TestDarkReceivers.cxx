@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Receivers with 0 lx are counted, and those that nothing lit is in sight of are a warning.
+// Receivers with 0 lx are counted; those that see nothing lit give a warning.
 #include <gtest/gtest.h>
 
 #include "Rooms.h"

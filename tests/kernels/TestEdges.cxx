@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Near concave edges, in corners and under the lip of a box: where local estimation fails, and what its rivals do
-// there.
+// Near concave edges, in corners and under the lip of a box: where local estimation fails, and what the other methods
+// do there.
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
@@ -99,7 +99,7 @@ TEST(Edges, CompensatedIsExactInWedges)
   }
 }
 
-// The plain estimate is quiet and wrong, or loud: either way the flag must say so at 1 mm, and need not at 1 m.
+// At 1 mm the plain estimate has too small an error or a huge one; the flag must say so in both cases, but not at 1 m.
 TEST(Edges, LocalIsNotTrustedNearEdges)
 {
   const Scene scene(rooms::furnace(0.6, 100));
@@ -118,7 +118,7 @@ TEST(Edges, LocalIsNotTrustedNearEdges)
   }
 }
 
-// One score that makes half of the variance is doubted where those of other replicates are far smaller.
+// A score that makes half of the variance is flagged where the largest scores of other replicates are far smaller.
 TEST(Edges, AScoreThatMakesHalfOfTheVarianceIsDoubted)
 {
   const MeanAndError estimate{10, 1};
@@ -127,7 +127,7 @@ TEST(Edges, AScoreThatMakesHalfOfTheVarianceIsDoubted)
   EXPECT_TRUE(tailIsLight(0.073, false, estimate));
 }
 
-// In the open no value is doubted without need, also by few and stratified trajectories, when a bounded score can pass
+// In the open no value is flagged needlessly, even with few stratified trajectories, when a bounded score can account
 // for half of the variance: before scores were compared with those of other replicates 2 to 7 % were.
 TEST(Edges, WhatIsBoundedIsTrusted)
 {
@@ -165,7 +165,7 @@ TEST(Edges, KernelCorrectionIsTheDifferenceToLocal)
   EXPECT_FALSE(local.alteredKernel);
 }
 
-// Every saving can be switched off: picked shadow rays and gathering do not move the mean in a room where the plain
+// Every technique can be disabled: picked shadow rays and gathering do not move the mean in a room where the plain
 // estimate has a finite variance.
 TEST(Edges, CompensatedAgreesWithLocalInTheOpen)
 {

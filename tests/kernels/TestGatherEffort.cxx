@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gather rays go to receivers that a surface is near, and nowhere else; no mean moves.
+// Only receivers with a surface near send gather rays; the means do not change.
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
@@ -63,7 +63,7 @@ Settings settings(bool everywhere, std::uint64_t seed, long long trajectories = 
 }
 }  // namespace
 
-// Rays are shared out as for many receivers: 448, the same fourteen again and again, of which the first are looked at.
+// As many rays as for many receivers: 448 receivers, fourteen places repeated; the first fourteen are tested.
 // Independent runs of six seeds each: Welch's t of 84 degrees of freedom, Sidak for 28 comparisons: |t| < 4.3, false
 // alarm 1e-3.
 TEST(GatherEffort, SameValuesWithFewerRays)
@@ -145,7 +145,7 @@ TEST(GatherEffort, VerticesAloneAreExactWhereNothingIsNear)
   }
 }
 
-// Light that a mirror sends is seen by gather rays only.
+// Only gather rays see light that comes by a mirror.
 TEST(GatherEffort, MirrorsAreGatheredEverywhere)
 {
   SceneDescription description = rooms::furnace(0.5, 100);

@@ -76,7 +76,7 @@ TEST(Goal, FloorIsAutomatic)
   EXPECT_TRUE(judged(s, alternating(1)).goal.empty());
 }
 
-// Under a box that stands 1 mm off the floor next to no light comes, a hundredth of a per mille of what comes beside
+// Hardly any light gets under a box that stands 1 mm off the floor, a hundredth of a per mille of what comes beside
 // it: a solve to 10 % ends when that is known well enough, and says so.
 TEST(Goal, EndsWhereHardlyAnyLightComes)
 {
@@ -116,7 +116,7 @@ TEST(AdaptiveSampling, NeedsAreTheSquaresOfDistancesAmongNeighbours)
   EXPECT_EQ(plan.converged(goal, alternating(0.9, enough - 2), enough - 2), (std::vector<char>{0, 0, 0}));
 }
 
-// Who converged keeps mean and error while the others' sums are divided by more and more trajectories.
+// A converged receiver keeps its mean and error while the others' sums are divided by more and more trajectories.
 TEST(AdaptiveSampling, RestingReceiversKeepTheirEstimates)
 {
   Tally tally = alternating(0.9);

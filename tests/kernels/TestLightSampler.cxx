@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Luminaires chosen by cheap stand-ins: these bound what they stand for, and what is drawn by them has the right mean.
+// Luminaires are chosen by cheap stand-ins: these bound the true light, and sampling by them has the right mean.
 #include <gtest/gtest.h>
 
 #include "ManyLuminaires.h"
@@ -105,7 +105,7 @@ TEST(LightSampler, StandInsOfPointsAreTheirLightAndBoundsOfTables)
   EXPECT_LT(smoothBound, 1.15 * smooth);
 }
 
-// Deterministic: as many of evenly spaced numbers lead to each as its share, to one or two.
+// Deterministic: of evenly spaced numbers, each luminaire gets its share, to one or two.
 TEST(LightSampler, DrawsInProportion)
 {
   constexpr int draws = 100000;

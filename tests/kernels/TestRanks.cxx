@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several ranks, here as threads, give bitwise the numbers of one, and none is left waiting.
+// Several ranks, here as threads, give bitwise the numbers of one, and none waits forever.
 #include <gtest/gtest.h>
 
 #include <condition_variable>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays that go together find what each finds alone.
+// Rays traced in packets find what each finds alone.
 #include <gtest/gtest.h>
 
 #include "Rooms.h"
@@ -100,7 +100,7 @@ TEST(RayBatch, NearSurfacesAreMetAsAlone)
   EXPECT_FALSE(isInGap(scene, scene.anchor(Vec3{0.3, 0.3, 0} - scene.origin(), up)));
 }
 
-// In a wedge where it is narrower than what rays are lifted by, those that go alone meet its other side.
+// Where a wedge is narrower than the lift of packets, rays that are traced singly meet its other side.
 TEST(RayBatch, AloneTheyStayInTheNarrowestGap)
 {
   SceneDescription d = rooms::furnishedRoom(0.6);
@@ -118,7 +118,7 @@ TEST(RayBatch, AloneTheyStayInTheNarrowestGap)
   EXPECT_TRUE(shadows[0].hidden);
 }
 
-// A gather ray finds the same whoever is under way with it: replays and tiles rely on it.
+// A gather ray finds the same in any packet: replays and tiles rely on it.
 TEST(WavefrontGather, RaysDoNotDependOnEachOther)
 {
   SceneDescription d = rooms::furnishedRoom(0.6);

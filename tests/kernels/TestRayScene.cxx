@@ -145,7 +145,7 @@ TEST(RayScene, HitPointsAreExact)
   EXPECT_TRUE(hit.front);
 }
 
-// Rays of every kind are counted, also those of threads that are no more.
+// Rays of every kind are counted, also those of threads that have ended.
 TEST(RayScene, RaysAreCounted)
 {
   const Scene scene(rooms::litRoom(0.5));

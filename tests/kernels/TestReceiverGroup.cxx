@@ -57,7 +57,7 @@ TEST(ReceiverGroup, SharesGoAsTheKernel)
   EXPECT_EQ(group.receiver(3), 13u);
 }
 
-// Who does not see y takes nothing, and does not count for the others.
+// A receiver that does not see y gets nothing and has no weight among the others.
 TEST(ReceiverGroup, HiddenReceiversTakeNothing)
 {
   SceneDescription d = rooms::litRoom(0.5);

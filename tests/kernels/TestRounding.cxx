@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What rounding decides: who sees whom, from tilted surfaces anywhere about the centre of coordinates, in gaps and at
+// Visibility where rounding matters: from tilted surfaces anywhere about the centre of coordinates, in gaps and at
 // edges. The judge tests all triangles, in double precision.
 #include <gtest/gtest.h>
 

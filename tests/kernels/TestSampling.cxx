@@ -101,7 +101,7 @@ TEST(SampleStream, EveryPointIsUniformOverSeeds)
   }
 }
 
-// The saving can be switched off and the mean does not move: both kinds of sampling at the truth of the furnace, within
+// Stratification can be disabled without bias: both kinds of sampling give the truth of the furnace, within
 // 4.4 standard errors of 24 seeds (false alarm 1e-5 each); and the error is smaller with Sobol's points.
 TEST(SampleStream, SobolLeavesTheMeanAndLowersTheVariance)
 {

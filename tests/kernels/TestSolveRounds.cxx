@@ -36,7 +36,7 @@ TEST(Solver, StopsWhenTheTimeIsUp)
   EXPECT_LT(result.seconds, 5);
 }
 
-// What is shown on the way is an estimate too, at every round.
+// Intermediate results are estimates too, at every round.
 TEST(Solver, ShowsEveryRound)
 {
   const Scene scene(rooms::litRoom(0.6));

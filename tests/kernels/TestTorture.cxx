@@ -129,7 +129,7 @@ TEST(Torture, FurnaceOfTenKilometresByThreeMetres)
   expectFurnace(d, 64000, "flat");
 }
 
-// Boxes of 1 mm and a room of 5 m in a shell of 10 km, all at one temperature, so to speak.
+// Boxes of 1 mm and a room of 5 m in a shell of 10 km, all of one luminance.
 TEST(Torture, FurnaceOfMillimetresInTenKilometres)
 {
   SceneDescription d;

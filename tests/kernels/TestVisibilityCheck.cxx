@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A run notices that vertices do not see what their own trajectories went on to hit.
+// A run notices when vertices do not see what their own trajectories hit next.
 #include <gtest/gtest.h>
 
 #include "Poses.h"

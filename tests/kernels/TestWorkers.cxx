@@ -28,7 +28,7 @@ TEST(Workers, RestWhileProgressIsTold)
   EXPECT_GE(told, 3);
 }
 
-// A step of a span tells of its part of it alone, and the next span forgets the steps.
+// A step reports progress for its part of the span only; the next span resets the steps.
 TEST(Workers, StepsShareTheSpan)
 {
   const Ranks alone;

@@ -80,7 +80,7 @@ Polygon clip(Polygon subject, const Polygon& window)
   return subject;
 }
 
-/// What is to be found around shared faces, for the tolerance that was used.
+/// The edges expected around shared faces, for the tolerance that was used.
 struct Outline
 {
   std::size_t sides = 0;  // longer than the shortest contact that is told from none

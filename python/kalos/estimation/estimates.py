@@ -76,19 +76,20 @@ def illuminance(surfaces: Surfaces, luminaires: Luminaires, points: ArrayLike, n
     filter_.SetInputData(0, receivers(points, normals))
     filter_.SetInputData(1, joined_surfaces(surfaces))
     filter_.SetInputData(2, joined_luminaires(luminaires))
+    return run(filter_, options, progress, arrays.ILLUMINANCE, lambda output: read_illuminance(output, points, normals, options))
 
-    def read(output):
-        data, shape = output.GetPointData(), points.shape[:-1]
-        bands = data.GetArray(arrays.ILLUMINANCE_BANDS)
-        values = {key: vtk_to_numpy(data.GetArray(name)).reshape(shape)
-                  for key, name in (("illuminance", arrays.ILLUMINANCE), ("standard_error", arrays.ILLUMINANCE_STANDARD_ERROR),
-                                    ("direct", arrays.DIRECT_ILLUMINANCE))}
-        flags = {key: vtk_to_numpy(data.GetArray(name)).view(bool).reshape(shape)
-                 for key, name in (("trusted", arrays.INTERVAL_TRUSTED), ("valid", arrays.VALID))}
-        return Illuminance(points=points, normals=normals, **values, **flags,
-                           bands=bands and vtk_to_numpy(bands).reshape(*shape, -1), **solved(output, options))
 
-    return run(filter_, options, progress, arrays.ILLUMINANCE, read)
+def read_illuminance(output, points, normals, options):
+    """The result of a filter at points of this shape."""
+    data, shape = output.GetPointData(), points.shape[:-1]
+    bands = data.GetArray(arrays.ILLUMINANCE_BANDS)
+    values = {key: vtk_to_numpy(data.GetArray(name)).reshape(shape)
+              for key, name in (("illuminance", arrays.ILLUMINANCE), ("standard_error", arrays.ILLUMINANCE_STANDARD_ERROR),
+                                ("direct", arrays.DIRECT_ILLUMINANCE))}
+    flags = {key: vtk_to_numpy(data.GetArray(name)).view(bool).reshape(shape)
+             for key, name in (("trusted", arrays.INTERVAL_TRUSTED), ("valid", arrays.VALID))}
+    return Illuminance(points=points, normals=normals, **values, **flags,
+                       bands=bands and vtk_to_numpy(bands).reshape(*shape, -1), **solved(output, options))
 
 
 def luminance(surfaces: Surfaces, luminaires: Luminaires, position: ArrayLike, target: ArrayLike, *,
