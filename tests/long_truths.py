@@ -45,7 +45,7 @@ def main(seeds=200):
     print(f"{'case':<28} {'method':<17} {'z':>7} {'allowed':>8} {'covered':>8}")
     for case in CASES:
         for method in METHODS:
-            if not case.serves(method):
+            if not case.takes(method):
                 continue
             z, covered, points = figures(case, method, seeds)
             allowed = stats.t.isf((1 - (1 - FALSE_ALARM) ** (1 / points)) / 2, seeds - 1)

@@ -219,8 +219,9 @@ public:
    * rays only to vertices picked by their scores), convex (no shadow rays in an empty convex room), near (gather rays
    * only where a surface is near), paths (no vertices where luminous surfaces are all around and paths from the
    * receivers alone win a trial), neighbours (gather rays of `gathered` light all receivers of a group), effort
-   * (receivers that reached the goal are skipped), exact-direct (area emitters in closed form). None adds bias; disable
-   * them to measure what they save. Default empty.
+   * (receivers that reached the goal are skipped), highlights (lamps in glossy planes sampled about their mirror
+   * images), exact-direct (area emitters in closed form). None adds bias; disable them to measure what they save.
+   * Default empty.
    */
   vtkSetStringMacro(DisabledTechniques);
   vtkGetStringMacro(DisabledTechniques);

@@ -95,8 +95,8 @@ int vtkKalosLuminanceImage::RequestData(vtkInformation*, vtkInformationVector** 
   try
   {
     const auto scene = this->MakeScene(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]));
-    const kalos::Camera camera{ToVec3(this->Position), ToVec3(this->Target), ToVec3(this->Up),
-                               this->FieldOfView,      this->Resolution[0],  this->Resolution[1]};
+    const kalos::Camera camera{ToVec3(this->Position), ToVec3(this->Target), ToVec3(this->Up),  this->FieldOfView,
+                               this->Resolution[0],    this->Resolution[1],  this->PixelSamples};
     const ControllerRanks ranks(this->Controller);
     const auto checkpoint = this->MakeCheckpoint();
     kalos::ImageSnapshot show;
@@ -146,4 +146,5 @@ void vtkKalosLuminanceImage::PrintSelf(ostream& os, vtkIndent indent)
   print("Up", this->Up);
   os << indent << "FieldOfView: " << this->FieldOfView << "\n";
   os << indent << "Resolution: " << this->Resolution[0] << " " << this->Resolution[1] << "\n";
+  os << indent << "PixelSamples: " << this->PixelSamples << "\n";
 }

@@ -64,6 +64,15 @@ public:
   vtkGetVector2Macro(Resolution, int);
   ///@}
 
+  ///@{
+  /**
+   * Lines of sight in a pixel that sees an edge, 1 to 256; others have one through their centre. 1: no anti-aliasing.
+   * Default 16.
+   */
+  vtkSetMacro(PixelSamples, int);
+  vtkGetMacro(PixelSamples, int);
+  ///@}
+
 protected:
   vtkKalosLuminanceImage();
   ~vtkKalosLuminanceImage() override = default;
@@ -79,6 +88,7 @@ protected:
   double Up[3] = {0, 0, 1};
   double FieldOfView = 45;
   int Resolution[2] = {256, 256};
+  int PixelSamples = 16;
 
 private:
   vtkKalosLuminanceImage(const vtkKalosLuminanceImage&) = delete;

@@ -22,19 +22,20 @@ def silent(line: str) -> None:
 def solve(scene: SceneLike, out: Union[str, os.PathLike[str]], *, method: str = DEFAULT_METHOD, trajectories: Optional[int] = None,
           error: Optional[float] = None, error_floor: Optional[float] = None, time: Optional[float] = None,
           delta: Optional[float] = None, epsilon: Optional[float] = None, method_options: Optional[Mapping[str, Any]] = None,
-          seed: int = 1, threads: int = 0, disable: Sequence[str] = (), prepare: bool = True, report: bool = False, hdr: bool = False, all_points: bool = False,
+          seed: int = 1, threads: int = 0, pixel_samples: int = 16, disable: Sequence[str] = (), prepare: bool = True, report: bool = False, hdr: bool = False, all_points: bool = False,
           look: Look = LOOK, say: Say = silent) -> Dict[str, Any]:
     """Solves a scene into the folder `out`, as `kalos solve` does; returns what stands in its summary.json.
 
     scene: a kalos.Scene, or the path of a scene file or model. delta, epsilon: m; error_floor: lx; time: s. method_options: those of single
     methods, such as {"photons": 50} for photon-map. prepare: repair the
-    surfaces first. report: write report.html. hdr: write Radiance pictures. all_points: count receivers inside solids in the
+    surfaces first. pixel_samples: lines of sight in a pixel that sees an edge. report: write report.html. hdr: write Radiance pictures. all_points: count receivers inside solids in the
     statistics. look: range, kind of scale and colours of the pictures. say: gets the lines that the command prints. `kalos solve --help` tells more of each. Raises KalosError.
     """
     from kalos.solving.solve import solve as run
 
     options = checked_options(method=method, trajectories=trajectories, error=error, error_floor=error_floor, time=time, delta=delta,
-                              epsilon=epsilon, method_options=method_options, seed=seed, threads=threads, disable=disable)
+                              epsilon=epsilon, method_options=method_options, seed=seed, threads=threads, disable=disable,
+                              pixel_samples=pixel_samples)
     with scene_file(scene) as path:
         return run(path, out, options, say, prepare, report, hdr, all_points, look)
 

@@ -18,7 +18,7 @@ def test_the_methods_are_there():
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_case(case, method):
-    if not case.serves(method):
+    if not case.takes(method):
         return
     seed = 11
     verdict = examine(case, case.options(method, seed=seed))

@@ -6,7 +6,8 @@
 
 Rows, each a `kalos chart` in OUT/ROW: floor, plane and walls of the Cornell room, a plane of 96 x 64 points in an office of
 275 000 triangles under 8 rectangles, 48 points from 0.1 mm to 2.5 m off an edge in the room (edge) and in the white furnace
-(furnace), 64 x 64 points 1 mm off a wall (wall), Sobolev's planes, and an image of 512 x 512 pixels. Rows that are not asked
+(furnace), 64 x 64 points 1 mm off a wall (wall), Sobolev's planes, and an image of 512 x 512 pixels. Glossy ones: 4 % lobes on everything (few), a polished floor (tiles), all
+satin but for a polished chest (satin), and a living room of tiles, steel and lacquer: plane, wall and image (living...). Rows that are not asked
 for keep what an earlier run left in OUT; `--rows none` only draws. Peers are found as by `kalos chart`.
 
 rows.txt, rows.csv and rows.png show all rows in OUT: processor seconds to 5, 2, 1, 0.5 and 0.3 % rms error, how many times
@@ -48,7 +49,13 @@ ROWS = {"floor": Row("Cornell room, floor 64 x 64", "cornell/cornell.json", "flo
         "furnace": Row("white furnace, 0.1 mm to 2.5 m off an edge", "chart/edge-furnace.json"),
         "wall": Row("Cornell room, 64 x 64 points 1 mm off a wall", "chart/wall-cornell.json"),
         "sobolev": Row("Sobolev's planes, 0 to 10 H", "chart/sobolev-row.json"),
-        "image": Row("Cornell room, image 512 x 512", "chart/image-cornell.json", camera="front", reference=16_000)}
+        "image": Row("Cornell room, image 512 x 512", "chart/image-cornell.json", camera="front", reference=16_000),
+        "few": Row("lobes of 4 %, plane", "chart/gloss-few.json", "plane"),
+        "tiles": Row("polished floor, plane", "chart/gloss-floor.json", "plane"),
+        "satin": Row("all satin, a polished chest, plane", "chart/gloss-satin.json", "plane"),
+        "living": Row("living room, plane", "chart/gloss-living.json", "plane"),
+        "living-wall": Row("living room, a wall", "chart/gloss-living.json", "wall"),
+        "living-image": Row("living room, image 256 x 192", "chart/gloss-living.json", camera="eye", reference=64_000)}
 METHODS = ("gathered", "compensated")
 NAMES = [f"{100 * goal:g} %" for goal in GOALS]
 

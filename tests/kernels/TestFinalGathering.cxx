@@ -26,7 +26,7 @@ struct Gathered
 
   explicit Gathered(const SceneDescription& d, double height = 0.75)
       : scene(d),
-        direct(this->scene, plane(height), this->settings),
+        direct(this->scene, plane(height), this->settings, true),
         emission(this->scene),
         context(this->scene, this->emission, this->settings, this->direct.shadows()),
         plan(this->scene, this->direct.sensors(), this->settings),
@@ -117,23 +117,30 @@ TEST(GatherHitTracer, HitsLieOnSurfaces)
   EXPECT_EQ(g.tally.total(g.plan.groups(0, g.tally)[0].receiver(0), 0)[0], 0);  // all is left to the cells
 }
 
-// What ends on gloss lights its receiver at once.
-TEST(GatherHitTracer, GlossyHitsAreFollowed)
+// Where a ray ends on gloss, its diffuse part has a hit like any other, and a ray drawn from the lobe ends on a second
+// one.
+TEST(GatherHitTracer, LobesHaveHitsOfTheirOwn)
 {
   SceneDescription d = rooms::litRoom(0.5);
   d.materials.push_back(d.materials[0]);
   d.materials.back().specular = 0.3;
   d.materials.back().roughness = 0.5;
-  const double area = 25.0 / 6 / 25;  // of a face, over that of the room
   for (std::size_t t = 0; t < 2; ++t)
     d.triangleMaterial[t + 6] = 1;  // the ceiling
   Gathered g(d);
   GatherHits found;
   g.tracer.trace(0, g.round(), found, g.tally);
-  const auto followed = static_cast<double>(32 * 32 - found.hits.size());
-  EXPECT_GT(followed, area * 32 * 32);  // what is above takes more than its share of the rays
-  EXPECT_LT(followed, 0.7 * 32 * 32);
-  EXPECT_GT(g.tally.total(g.plan.groups(0, g.tally)[0].receiver(0), 0)[0], 0);
+  int onGloss = 0, byLobe = 0;
+  for (const SurfaceHit& hit : found.hits)
+  {
+    onGloss += hit.side / 2 == 6 || hit.side / 2 == 7;
+    byLobe += hit.byLobe;
+    EXPECT_TRUE(!hit.byLobe || (hit.weight > 0 && hit.weight < 1.2)) << hit.weight;
+  }
+  EXPECT_EQ(found.hits.size(), static_cast<std::size_t>(32 * 32 + byLobe));
+  EXPECT_GT(onGloss, 32 * 32 / 6);
+  EXPECT_GT(byLobe, 0.9 * onGloss);  // five times the albedo is above 1
+  EXPECT_LE(byLobe, onGloss);
 }
 
 // In a white furnace all cells are lit alike: their mean within 5 standard deviations of 3 %, as 1024 trajectories

@@ -34,6 +34,7 @@ enum class Kind
   Furnished,
   Empty,
   Luminous,
+  Satin,   // furnished, all surfaces glossy
   Goaled,  // furnished, solved to an error
   Grid     // furnished, with many receivers, gathered
 };
@@ -45,13 +46,20 @@ Kind roomFor(const std::string& technique)
          : technique == "paths"      ? Kind::Luminous
          : technique == "effort"     ? Kind::Goaled
          : technique == "neighbours" ? Kind::Grid
+         : technique == "highlights" ? Kind::Satin
                                      : Kind::Furnished;
 }
 
 // Receivers in the open, in the panel's half-shadow and 2 mm from an edge.
 Result solveRoom(Kind kind, const std::string& without, std::uint64_t seed)
 {
-  const Scene scene(kind == Kind::Luminous ? rooms::furnace(0.5, 100) : panelRoom(kind == Kind::Empty));
+  SceneDescription room = kind == Kind::Luminous ? rooms::furnace(0.5, 100) : panelRoom(kind == Kind::Empty);
+  for (Material& m : room.materials)
+  {
+    m.specular = kind == Kind::Satin ? 0.2 : 0;
+    m.roughness = 0.4;
+  }
+  const Scene scene(room);
   Receivers receivers;
   receivers.points = {{3.75, 1.2, 2}, {0.9, 2.2, 0}, {0.002, 2.5, 0}, {2.5, 1.25, 2.5}, {4.6, 4.6, 1}};
   for (int i = 0; (kind == Kind::Goaled || kind == Kind::Grid) && i < 40; ++i)
@@ -126,15 +134,16 @@ TEST_P(Techniques, ChangeTheWork)
     EXPECT_NE(with.illuminance, without.illuminance) << "other random numbers or weights";
   if (name == "stratified")  // as many, but for roulette
     EXPECT_NEAR(static_cast<double>(without.rays), static_cast<double>(with.rays), 0.05 * with.rays);
-  else  // neighbours have more rays, of which each finds more
-    EXPECT_EQ(without.rays > with.rays, name != "neighbours") << without.rays << " against " << with.rays;
+  else  // neighbours and highlights have more rays, of which each finds more
+    EXPECT_EQ(without.rays > with.rays, name != "neighbours" && name != "highlights")
+        << without.rays << " against " << with.rays;
   EXPECT_EQ(with.direct != without.direct,
-            name != "picked" && name != "convex" && name != "near" && name != "neighbours");
+            name != "picked" && name != "convex" && name != "near" && name != "neighbours" && name != "highlights");
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Techniques,
                          testing::Values("stratified", "picked", "convex", "near", "paths", "neighbours", "effort",
-                                         "exact-direct"),
+                                         "highlights", "exact-direct"),
                          [](const auto& tested) {
                            std::string name = tested.param;
                            std::replace(name.begin(), name.end(), '-', '_');
@@ -155,6 +164,6 @@ TEST(TechniqueNames, AreListedWhenOneIsWrong)
     EXPECT_STREQ(
         error.what(),
         "disable: 'walls' is not a technique, expected some of stratified, picked, convex, near, paths, neighbours, "
-        "effort, exact-direct");
+        "effort, highlights, exact-direct");
   }
 }

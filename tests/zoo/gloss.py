@@ -2,9 +2,10 @@
 """Gloss: lobes are spikes by direction, as edges are spikes by distance."""
 import numpy as np
 
-from glossy_plane import glossy_plane
 from room import Room
 from shapes import box, grid, joined, lamp, quad, room_places, row, scene, shell
+
+from kalos.validation.gloss import glossy_plane
 
 SIZE = (4, 3, 2.5)
 TRACED = "path tracer of the zoo"

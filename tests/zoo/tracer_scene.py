@@ -4,10 +4,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kalos.scenes.lobes import TABLE, lobe_albedo
+
 LEAF = 4  # triangles
 MOST_GLOSSY = 64  # triangles on which highlights of points are estimated apart
 ISOTROPIC, LAMBERTIAN, RECTANGLE, TRIANGLE = range(4)  # kinds of lamps
-STEPS, TABLE = 256, 129  # of the integration over visible normals; entries of an albedo table
 
 
 class Arrays(NamedTuple):
@@ -144,33 +145,3 @@ def all_lamps(scene, corner, u, v, normal, area, exitance):
     columns = [np.array(column) for column in zip(*rows)]
     flux = columns[-1].astype(float)
     return [*columns[:-1], flux, np.cumsum(flux) / flux.sum(), float(flux.sum())], emitter
-
-
-def lobe_albedo(specular, alpha):
-    """Albedo of the lobe (without the mirror's share) over the cosine of incidence: the mean of F G2/G1 over visible normals."""
-    if specular == 0:
-        return np.zeros(TABLE)
-    u = (np.arange(STEPS) + 0.5) / STEPS
-    r, phi = np.sqrt(u)[:, None], 2 * np.pi * u
-    found = []
-    for mu in np.maximum(1e-3, np.linspace(0, 1, TABLE)):
-        # Visible normals are those of a hemisphere seen under stretching (Heitz 2018); incidence in the plane y = 0.
-        view = np.array([alpha * np.sqrt(1 - mu * mu), 0, mu])
-        view /= np.linalg.norm(view)
-        p1, p2 = r * np.cos(phi), r * np.sin(phi)
-        p2 = (1 - view[2]) / 2 * np.sqrt(1 - p1**2) + (1 + view[2]) / 2 * p2
-        up = np.sqrt(np.maximum(0, 1 - p1**2 - p2**2))
-        m = np.array([-view[2] * p2 + view[0] * up, p1, view[0] * p2 + view[2] * up])
-        m *= np.array([alpha, alpha, 1])[:, None, None]
-        m /= np.sqrt((m**2).sum(axis=0))
-        cosine = np.maximum(0, m[0] * np.sqrt(1 - mu * mu) + m[2] * mu)
-        down = 2 * cosine * m[2] - mu  # the reflected direction's own cosine
-        fresnel = specular + (1 - specular) * (1 - cosine) ** 5
-        out, back = smith(alpha, np.maximum(down, 1e-9)), smith(alpha, mu)
-        found.append(np.where(down > 0, fresnel * (1 + back) / (1 + back + out), 0).mean())
-    return np.array(found)
-
-
-def smith(alpha, mu):
-    """Smith's Lambda of GGX."""
-    return (np.sqrt(1 + alpha**2 * (1 / mu**2 - 1)) - 1) / 2

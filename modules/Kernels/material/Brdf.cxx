@@ -87,7 +87,7 @@ double Brdf::lobeAlbedo(double mu) const
   return this->Albedo[k] + (x - k) * (this->Albedo[k + 1] - this->Albedo[k]);
 }
 
-double Brdf::lobeTimesPi(const Vec3& wi, const Vec3& wo) const
+double Brdf::localLobe(const Vec3& wi, const Vec3& wo) const
 {
   const Vec3 half = wi + wo;
   const Vec3 m = normalized(half);
@@ -102,7 +102,27 @@ double Brdf::lobeDensity(const Vec3& wo, const Vec3& wi) const
   return distribution(this->Alpha, m) / ((1 + lambda(this->Alpha, wo)) * 4 * wo.z);
 }
 
+double Brdf::lobeTimesPi(const Vec3& n, const Vec3& wi, const Vec3& wo) const
+{
+  if (this->Surface.specular == 0 || !(dot(n, wi) > 0 && dot(n, wo) > 0))
+    return 0;
+  const Frame frame(n);
+  return this->localLobe(frame.toLocal(wi), frame.toLocal(wo));
+}
+
+double Brdf::lobeShare(const Vec3& n, const Vec3& wi, const Vec3& wo) const
+{
+  const double lobe = this->lobeTimesPi(n, wi, wo);
+  const double all = photometric(this->timesPi(n, wi, wo), this->BandCount);
+  return all > 0 ? std::min(1.0, lobe / all) : 0;
+}
+
 Bands Brdf::timesPi(const Vec3& n, const Vec3& wi, const Vec3& wo) const
+{
+  return this->timesPi(n, wi, wo, 1);
+}
+
+Bands Brdf::timesPi(const Vec3& n, const Vec3& wi, const Vec3& wo, double lobeFactor) const
 {
   Bands result{};
   const double mi = dot(n, wi), mo = dot(n, wo);
@@ -111,7 +131,7 @@ Bands Brdf::timesPi(const Vec3& n, const Vec3& wi, const Vec3& wo) const
   if (this->Surface.specular == 0)
     return this->Surface.reflectance;
   const Frame frame(n);
-  const double lobe = this->lobeTimesPi(frame.toLocal(wi), frame.toLocal(wo));
+  const double lobe = lobeFactor * this->localLobe(frame.toLocal(wi), frame.toLocal(wo));
   const double diffuse = (1 - this->lobeAlbedo(mi)) * (1 - this->lobeAlbedo(mo)) / (1 - this->MeanAlbedo);
   for (int b = 0; b < this->BandCount; ++b)
     result[b] = diffuse * this->Surface.reflectance[b] + lobe;

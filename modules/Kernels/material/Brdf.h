@@ -39,6 +39,23 @@ public:
   /// pi f per band (without the mirror) for light from wi to wo about the normal n; 0 below the surface.
   Bands timesPi(const Vec3& n, const Vec3& wi, const Vec3& wo) const;
 
+  /// pi f of the lobe alone (without the mirror), neutral.
+  double lobeTimesPi(const Vec3& n, const Vec3& wi, const Vec3& wo) const;
+
+  /// The same as timesPi() with the lobe times a factor.
+  Bands timesPi(const Vec3& n, const Vec3& wi, const Vec3& wo, double lobeFactor) const;
+
+  /// Luminous share of the lobe in pi f, [0, 1].
+  double lobeShare(const Vec3& n, const Vec3& wi, const Vec3& wo) const;
+
+  /// What the diffuse part keeps of Lambert's law: pi f = rho incidence(mu_i) towards(mu_o), which is 1 without a lobe.
+  double diffuseIncidence(double mu) const { return this->Surface.specular > 0 ? 1 - this->lobeAlbedo(mu) : 1; }
+  double diffuseTowards(double mu) const { return this->diffuseIncidence(mu) / (1 - this->MeanAlbedo); }
+
+  /// Width alpha of the distribution of normals, and the lobe's albedo A(mu).
+  double lobeWidth() const { return this->Alpha; }
+  double lobeAlbedo(double mu) const;
+
   /// Density per sr with which sample() is alive in direction wi (without the mirror), for light of bands `carried`.
   double density(const Vec3& n, const Vec3& wo, const Vec3& wi, const Bands& carried) const;
 
@@ -52,9 +69,8 @@ public:
 private:
   static constexpr int tableSize = 33;
 
-  double lobeAlbedo(double mu) const;  // A(mu), interpolated
   double diffuseShare(const Bands& carried) const;
-  double lobeTimesPi(const Vec3& wi, const Vec3& wo) const;  // local frame
+  double localLobe(const Vec3& wi, const Vec3& wo) const;    // pi f in the local frame
   double lobeDensity(const Vec3& wo, const Vec3& wi) const;  // local frame, per sr
 
   Material Surface;

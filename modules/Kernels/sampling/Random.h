@@ -16,7 +16,8 @@ enum class Purpose : std::uint64_t
   Gather = 3,
   Averaging = 4,
   Selection = 5,
-  CameraRay = 6
+  CameraRay = 6,
+  Highlight = 7
 };
 
 /// A bijection of 64-bit words with full avalanche (Stafford's variant 13 of the MurmurHash3 finaliser).

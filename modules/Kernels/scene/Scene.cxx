@@ -82,8 +82,12 @@ Scene::Scene(SceneDescription description)
       Origin(recentre(this->Data, this->Size)),
       Rays(this->Data.points, this->Data.triangles)
 {
-  for (const Material& material : this->Data.materials)
+  for (Material material : this->Data.materials)
+  {
     this->Brdfs.emplace_back(material, this->Data.bands);
+    material.reflectance = {};
+    this->Lobes.emplace_back(material, this->Data.bands);
+  }
   const auto count = static_cast<std::uint32_t>(this->Data.triangles.size());
   this->Normals.resize(count);
   this->Areas.resize(count);
@@ -104,6 +108,7 @@ Scene::Scene(SceneDescription description)
             ? this->anchorWithin(l.position, l.axis, 0.5 * length(l.sideU + l.sideV) + this->contact(l.position))
             : RayAnchor(l.position));
   this->Coplanar = findCoplanarFaces(*this);
+  this->Glossy = std::make_shared<const GlossyPlanes>(*this);
 }
 
 Scene::Lift Scene::liftAt(std::uint32_t t) const

@@ -4,6 +4,7 @@
 #define kalos_scene_Scene_h
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "luminaire/Luminaire.h"
 #include "material/Brdf.h"
 #include "scene/CoplanarFaces.h"
+#include "scene/GlossyPlanes.h"
 #include "scene/RayScene.h"
 
 namespace kalos
@@ -57,6 +59,8 @@ public:
   {
     return this->Data.materials[this->Data.triangleMaterial[triangle]];
   }
+  /// The lobe and the mirror share of a triangle's material, without its diffuse part.
+  const Brdf& lobe(std::uint32_t triangle) const { return this->Lobes[this->Data.triangleMaterial[triangle]]; }
   const Brdf& brdf(std::uint32_t triangle) const { return this->Brdfs[this->Data.triangleMaterial[triangle]]; }
 
   /// Surfaces as messages name them, and the one that a triangle belongs to.
@@ -118,6 +122,8 @@ public:
   /// shines into the room.
   const RayAnchor& luminaireAnchor(std::size_t i) const { return this->LuminaireAnchors[i]; }
 
+  const GlossyPlanes& glossyPlanes() const { return *this->Glossy; }
+
   /// How far, m, single precision may put a ray from or to p on a triangle off its plane.
   double reach(std::uint32_t triangle, const Vec3& p) const
   {
@@ -155,13 +161,14 @@ private:
   double Size = 0;
   Vec3 Origin;
   RayScene Rays;
-  std::vector<Brdf> Brdfs;  // one per material
+  std::vector<Brdf> Brdfs, Lobes;  // one per material
   std::vector<Vec3> Normals;
   std::vector<double> Areas;
   std::vector<Lift> Lifts;
   double SurfaceArea = 0;
   std::vector<RayAnchor> LuminaireAnchors;
   CoplanarFaces Coplanar;
+  std::shared_ptr<const GlossyPlanes> Glossy;
 };
 }  // namespace kalos
 

@@ -11,7 +11,7 @@ from kalos.core.progress import run
 from kalos.errors import KalosError
 from kalos.estimation.filters import illuminance_filter, luminance_filter
 from kalos.peers import NAMES, Absent, Run
-from kalos.peers.description import beyond, describe, materials
+from kalos.peers.description import describe, gloss, materials
 from kalos.peers.mitsuba3 import Mitsuba
 from kalos.peers.radiance import CachedRadiance, Radiance
 from kalos.results.fields import audit, field_value, trajectories
@@ -30,7 +30,7 @@ LEAST = 32  # trajectories: one per replicate
 class Room(Subject):
     """The receivers of a scene file, all of its sets together or one."""
 
-    response, emitted = None, 0.0  # of receivers to illuminance, as kalos.peers.description has it
+    response, emitted, first, outgoing = None, 0.0, -1, None  # of receivers, as kalos.peers.description has it
 
     def __init__(self, path, wanted=None):
         super().__init__(path)
@@ -71,7 +71,8 @@ class View(Subject):
     """What a camera of a scene file sees, cd/m2, pixel by pixel; pixels that see no surface are left out.
 
     A line of sight ends at the pixel's centre, as in Kalos's own images: what is measured is the light that arrives where it
-    does, at `points`, reflected by `response` per band, and `emitted`. Scenes with gloss or mirrors only Kalos can model.
+    does, at `points`, reflected by `response` per band, and `emitted`. Where a scene has gloss or mirrors, it is the luminance
+    that the `first` triangles reflect to the eye, `outgoing`.
     """
 
     def __init__(self, path, wanted):
@@ -92,12 +93,15 @@ class View(Subject):
         self.points = np.asarray(filter_.GetPosition()) + distance[self.seen, None] * rays
         self.normals = normals_towards(rays, faces, face)
         weights = band_weights(reflectance.shape[1])
-        self.response = reflectance[face] * weights / np.pi
+        shiny = any(values.any() for values in gloss(surfaces)[::2])
+        self.response = (np.ones_like(reflectance[face]) if shiny else reflectance[face]) * weights / np.pi
+        self.first, self.outgoing = (face, -rays) if shiny else (-1, None)
         across = np.cross(faces[face, 1] - faces[face, 0], faces[face, 2] - faces[face, 0])
         front = np.einsum("ij,ij->i", across, self.normals) > 0
         self.emitted = np.where(front, exitance[face] @ weights, 0) / np.pi
 
     def solve(self, options, label):
+        options = replace(options, pixel_samples=1)
         output = run(luminance_filter(self.reader, self.index, options), label, patience=float("inf") if label is None else 0)
         data = output.GetPointData()
         # The mean errs by at most the mean of the errors: pixels share trajectories.
@@ -137,14 +141,12 @@ def assemble(room, methods, peers, threads, say):
     """The contenders that can take part; `say` gets a line about each one that cannot."""
     makers = {name: lambda name=name: Method(room, name, threads) for name in methods or METHODS}
     if peers:
-        scene, reason = describe(room.reader, room.points, room.normals, room.response, room.emitted), beyond(room.reader)
+        scene = describe(room.reader, room.points, room.normals, room.response, room.emitted, room.first, room.outgoing)
         for name in peers:
             makers[name] = lambda kind=PEERS[name]: kind(scene, threads)
     found = []
     for name, make in makers.items():
         try:
-            if name in PEERS and reason:
-                raise Absent(f"knows no {reason} here, expected a scene of Lambertian surfaces and luminaires")
             found.append(make())
         except Absent as absent:
             say(f"without {name}: {absent}")

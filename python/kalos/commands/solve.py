@@ -3,8 +3,8 @@
 from kalos import ranks
 from kalos.commands.arguments import ends, receiver_and_replicate, task
 from kalos.commands.options import add_method_options, options_of
-from kalos.core.limits import FLOOR, RELATIVE, TIME, techniques
-from kalos.core.options import DEFAULT_METHOD, TECHNIQUES
+from kalos.core.limits import FLOOR, PIXEL_SAMPLES, RELATIVE, TIME, techniques
+from kalos.core.options import DEFAULT_METHOD, TECHNIQUES, Options
 from kalos.pictures.look import OWN_COLOURS, Look
 from kalos.scenes.model_file import AXES, UNITS, placed
 
@@ -22,6 +22,8 @@ def add(commands):
     command.add_argument("--checkpoint", metavar="FILE",
                        help="save the state of the solve in FILE, FILE.CAMERA for cameras, every 10 s and when it is stopped; the same "
                             "command resumes from there with the same numbers, and deletes the files when it is done (none)")
+    command.add_argument("--pixel-samples", metavar="N", type=PIXEL_SAMPLES, default=Options().pixel_samples,
+                         help="lines of sight in a pixel that sees an edge; others have one through their centre (%(default)s)")
     command.add_argument("--disable", metavar="NAME,...", type=techniques,
                        help=f"switch off some of {', '.join(TECHNIQUES)}, to measure what each saves; no mean changes (none)")
     command.add_argument("--replay", metavar="RECEIVER:REPLICATE", type=receiver_and_replicate,

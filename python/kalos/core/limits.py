@@ -26,6 +26,7 @@ COUNT = quantity(int, "a whole number from 1 to 9223372036854775807", lambda n: 
 GIVEN_LENGTH = quantity(float, "auto, or a length > 0 in metres", lambda x: x > 0)
 RELATIVE = quantity(float, "a relative error > 0 and < 1, such as 0.01", lambda x: 0 < x < 1)
 FLOOR = quantity(float, "a half-width of 0 lx or more", lambda x: x >= 0)
+PIXEL_SAMPLES = quantity(int, "a whole number from 1 to 256", lambda n: 1 <= n <= 256)
 TIME = quantity(float, "a time > 0, in seconds", lambda x: x > 0)
 SEED = quantity(int, "a whole number from 0 to 2147483647", lambda n: 0 <= n < 2**31)
 THREADS = quantity(int, "a whole number from 0 (all) to 1024", lambda n: 0 <= n <= 1024)
@@ -72,7 +73,7 @@ def flag(text):
 
 
 TYPES = {"method": method, "trajectories": COUNT, "error": RELATIVE, "error_floor": FLOOR, "time": TIME, "delta": GIVEN_LENGTH,
-         "epsilon": GIVEN_LENGTH, "seed": SEED, "threads": THREADS,
+         "epsilon": GIVEN_LENGTH, "seed": SEED, "threads": THREADS, "pixel_samples": PIXEL_SAMPLES,
          "photons": COUNT, "cone_filter": flag, "final_gather": flag, "elements": elements, "connections": connections}
 
 

@@ -25,7 +25,7 @@ OWN_OPTIONS = {"photons": ("photon-map",), "cone_filter": ("photon-map",), "fina
 ELEMENTS = ("linear", "constant")
 
 # Names for vtkKalosIlluminance::DisabledTechniques; none adds bias.
-TECHNIQUES = ("stratified", "picked", "convex", "near", "paths", "neighbours", "effort", "exact-direct")
+TECHNIQUES = ("stratified", "picked", "convex", "near", "paths", "neighbours", "effort", "highlights", "exact-direct")
 
 
 @dataclass(frozen=True)
@@ -43,6 +43,7 @@ class Options:
     final_gather: bool = False  # photon-map, radiosity: read where rays from the receivers end
     elements: str = None  # radiosity: one of ELEMENTS; automatic: linear
     connections: int = None  # bidirectional: 1 local estimates, 2 double ones, ...; automatic: all
+    pixel_samples: int = 16  # lines of sight in a pixel that sees an edge
     time: float = None  # goal: s
     seed: int = 1
     threads: int = 0  # 0 for all

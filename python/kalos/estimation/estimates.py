@@ -93,14 +93,15 @@ def read_illuminance(output, points, normals, options):
 
 
 def luminance(surfaces: Surfaces, luminaires: Luminaires, position: ArrayLike, target: ArrayLike, *,
-              up: ArrayLike = (0, 0, 1), fov_deg: float = 45, resolution: Tuple[int, int] = (256, 256),
+              up: ArrayLike = (0, 0, 1), fov_deg: float = 45, resolution: Tuple[int, int] = (256, 256), pixel_samples: int = 16,
               error: Optional[float] = None, error_floor: Optional[float] = None, time: Optional[float] = None,
               trajectories: Optional[int] = None, method: str = DEFAULT_METHOD, delta: Optional[float] = None,
               epsilon: Optional[float] = None, method_options: Optional[Mapping[str, Any]] = None, seed: int = 1,
               threads: int = 0, checkpoint: Union[None, str, os.PathLike] = None, progress: Progress = None) -> Luminance:
     """Luminance (cd/m2) seen by a camera, with a standard error per pixel, by the double local estimate.
 
-    position, target: (3,), m. up: (3,). fov_deg: vertical field of view, degrees. resolution: columns and rows. Without
+    position, target: (3,), m. up: (3,). fov_deg: vertical field of view, degrees. resolution: columns and rows.
+    pixel_samples: lines of sight in a pixel that sees an edge; others have one through their centre. Without
     trajectories and without a goal, 1024 trajectories. The other arguments, and what is raised, as for illuminance().
 
     >>> room = box((2, 2, 1.5), (4, 4, 3), 0.5, inwards=True)
@@ -110,8 +111,9 @@ def luminance(surfaces: Surfaces, luminaires: Luminaires, position: ArrayLike, t
     """
     options = checked_options(method=method, trajectories=trajectories, error=error, error_floor=error_floor, time=time, delta=delta,
                               epsilon=epsilon, method_options=method_options, seed=seed, threads=threads,
-                              checkpoint=checkpoint)
+                              checkpoint=checkpoint, pixel_samples=pixel_samples)
     filter_ = vtkKalosLuminanceImage()
+    filter_.SetPixelSamples(options.pixel_samples)
     filter_.TellWarningsOff()
     filter_.SetInputData(0, joined_surfaces(surfaces))
     filter_.SetInputData(1, joined_luminaires(luminaires))

@@ -33,4 +33,5 @@ def luminance_filter(reader, index, options):
     estimator.SetFieldOfView(reader.GetCameraFieldOfView(index))
     if options:
         options.of_camera(reader.GetCameraName(index)).apply(estimator)
+        estimator.SetPixelSamples(options.pixel_samples)
     return estimator

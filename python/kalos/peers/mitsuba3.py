@@ -28,6 +28,8 @@ class Mitsuba:
     NAME, LABEL, EFFORT, START = "mitsuba", "Mitsuba 3, path tracing", "paths per receiver", 4
 
     def __init__(self, scene, threads=1):
+        if scene["mirror"].any() and not scene["lamp_u"].any(axis=1).all():
+            raise Absent("no path finds a point luminaire in a mirror, expected rectangles or no mirrors")
         llvm = os.environ.get("DRJIT_LIBLLVM_PATH") or newest_llvm()
         if not llvm:
             raise Absent(f"no LLVM library of version {OLDEST} or newer, expected one (Debian: libllvm19) or DRJIT_LIBLLVM_PATH")

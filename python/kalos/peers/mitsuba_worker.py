@@ -24,6 +24,7 @@ import numpy as np
 mi.set_variant("llvm_ad_mono")
 
 from mitsuba import Float, Mask, Point3f, Ray3f, UInt32, Vector3f  # noqa: E402
+from mitsuba_lamps import Lamps, offset  # noqa: E402
 
 ROULETTE = 4  # vertices before it; 3 to 5 are alike
 EMITTER_SAMPLES = 8  # at the receiver, where there is more than one luminaire or an area
@@ -46,20 +47,10 @@ class Tracer:
         parameters["faces"] = UInt32(np.arange(3 * len(triangles), dtype=np.uint32))
         parameters.update()
         self.scene = mi.load_dict({"type": "scene", "mesh": mesh})
-        self.lamps(scene)
+        self.lamps = Lamps(scene)
         self.emitters(triangles, scene["exitance"])
-        self.samples_lights = self.lamp_count > 0 or self.sampled
-        self.exact_direct = not self.sampled and self.lamp_count == 1 and not scene["lamp_u"].any()
-
-    def lamps(self, scene):
-        """Luminaires: points and rectangles, chosen in proportion to their flux."""
-        self.lamp_count = len(scene["lamp_flux"])
-        if not self.lamp_count:
-            return
-        share = scene["lamp_flux"] / scene["lamp_flux"].sum()
-        self.lamp_choice = mi.DiscreteDistribution(Float(share))
-        numbers = np.stack([scene["lamp_flux"], share, ~scene["lamp_isotropic"]], axis=1)
-        self.lamp = [table(column) for column in (*(scene[f"lamp_{name}"] for name in ("position", "axis", "u", "v")), numbers)]
+        self.samples_lights = self.lamps.count > 0 or self.sampled
+        self.exact_direct = not self.sampled and self.lamps.count == 1 and not scene["lamp_u"].any()
 
     def emitters(self, triangles, exitance):
         """Emitting triangles, for sampling in proportion to their flux."""
@@ -82,19 +73,10 @@ class Tracer:
 
     def lamp_light(self, p, n, sampler, active):
         """Illuminance at p from one luminaire, over the chance of picking it, and the rays it took."""
-        i = self.lamp_choice.sample(sampler.next_1d(active), active) if self.lamp_count > 1 else UInt32(0)
-        place = sampler.next_2d(active)
-        position, axis, u, v, (flux, share, lambertian) = (one(i) for one in self.lamp)
-        to = position + (place.x - 0.5) * u + (place.y - 0.5) * v
-        d = to - p
-        d2 = dr.squared_norm(d)
-        d *= dr.rsqrt(d2)
-        at_lamp, at_point = dr.maximum(-dr.dot(d, axis), 0), dr.maximum(dr.dot(d, n), 0)
-        shape = dr.lerp(0.25, at_lamp, lambertian)
-        light = flux * shape * at_point / (dr.pi * d2 * share)
+        d, across, to, _ = self.lamps.sample(p, sampler, active)
+        light = across * dr.maximum(dr.dot(d, n), 0)
         facing = active & (light > 0)
-        # A lamp flush with a surface shines into the room, also when rounding puts it into that surface.
-        seen = self.visible(p, n, offset(to, lambertian * axis), facing)
+        seen = self.visible(p, n, to, facing)
         return dr.select(seen, light, 0), dr.select(facing, UInt32(1), UInt32(0))
 
     def mesh_light(self, p, n, sampler, active):
@@ -173,7 +155,7 @@ class Tracer:
     def lights(self, p, n, sampler, active):
         """Illuminance at p by one sample of the luminaires and one of the meshes, and the rays it took."""
         found, rays = [Float(0)] * self.bands, UInt32(0)
-        if self.lamp_count:
+        if self.lamps.count:
             light, shot = self.lamp_light(p, n, sampler, active)
             found, rays = [f + light for f in found], rays + shot
         if self.sampled:
@@ -214,18 +196,12 @@ class Tracer:
         return values, passes * count, shots
 
 
-def table(rows):
-    """A function from an index to a row of three numbers: to literals where there is one row, for the compiler's sake."""
-    if len(rows) == 1:
-        only = Vector3f(*map(float, rows[0]))
-        return lambda i: only
-    columns = Vector3f(np.ascontiguousarray(rows.T, np.float32))
-    return lambda i: dr.gather(Vector3f, columns, i)
-
-
-def offset(p, n):
-    """Off the surface, in proportion to the rounding of the coordinates."""
-    return p + n * (1e-5 * (1 + dr.max(dr.abs(p))))
+def make(scene):
+    """The tracer that the scene needs: most are Lambertian."""
+    if not (scene["specular"].any() or scene["mirror"].any() or (scene["first"] >= 0).any()):
+        return Tracer(scene)
+    from mitsuba_gloss import GlossyTracer  # it is derived from the one here
+    return GlossyTracer(scene)
 
 
 def main(path, threads):
@@ -235,7 +211,7 @@ def main(path, threads):
     dr.set_thread_count(threads)
     with np.load(path) as file:
         scene = {name: np.asarray(file[name], np.float32) if file[name].dtype == float else file[name] for name in file.files}
-    tracer = Tracer(scene)
+    tracer = make(scene)
     tracer.run(4, 0)  # compiles
     setup, compiled = time.process_time() - start, set()
     print(json.dumps({"setup_cpu_seconds": setup, "version": mi.__version__}), file=answers, flush=True)
@@ -259,4 +235,5 @@ def main(path, threads):
 
 
 if __name__ == "__main__":
+    sys.modules["mitsuba_worker"] = sys.modules["__main__"]  # for mitsuba_gloss
     main(sys.argv[1], int(sys.argv[2]))

@@ -7,7 +7,7 @@ from typing import Callable
 import numpy as np
 
 from kalos.core.options import Options
-from kalos.validation import truths
+from kalos.validation import gloss, truths
 
 PACKAGE = Path(__file__).resolve().parents[1]
 DATA = PACKAGE.parents[1] / "data"  # of the source tree
@@ -28,12 +28,15 @@ class Case:
     trajectories: int
     precision: float  # largest relative standard error that still tests something
     cell: float = None  # m, half side of the cells of method direct; where None its means over cells are no points
+    methods: tuple = None  # that find the light of narrow lobes within any reasonable time; None: all
     finite: bool = True  # finite elements can cover it
     near: float = None  # m, delta and epsilon of the methods that average or clamp, where the automatic ones are too wide
 
-    def serves(self, method):
-        """Whether the method can be held against the truth: means over cells are no points, planes without end no elements."""
-        return not (method == "direct" and not self.cell) and not (method == "radiosity" and not self.finite)
+    def takes(self, method):
+        """Whether the case tells anything about a method: means over cells are no points, planes without end no elements."""
+        if self.methods:
+            return method in self.methods
+        return (method != "direct" or bool(self.cell)) and (method != "radiosity" or self.finite)
 
     def options(self, method, trajectories=None, seed=1):
         """How this case is solved by a method."""
@@ -54,6 +57,12 @@ def sobolev_case(h1, rho1, rho2):
     return Case(f"Sobolev's planes, {rho1} {rho2}", f"sobolev/sobolev-{name}.json", truth, 100000, 0.01, finite=False, near=0.02)
 
 
+def with_normals(truth):
+    """A truth of receivers (n, 6) as one of points and normals."""
+    return lambda points, normals: truth(np.hstack([points, normals]))
+
+
+GLOSS = ("compensated", "gathered")
 CASES = [
     Case("white furnace, boxes", "furnace/furnace.json", even(truths.white_furnace(0.6, 100)), 300000, 0.05, cell=0.25),
     sobolev_case(0.5, 0.5, 0.5),
@@ -65,4 +74,10 @@ CASES = [
          lambda p, n: truths.isotropic_point(p, n, np.array([2, 2, 1.5]), 10000), 10000, 1e-3),
     Case("CIE 171 5.6, reflection", "cie171/5-6.json", lambda p, n: 300 * truths.cie171_reflection(p, n), 10000, 1e-3),
     Case("CIE 171 5.7, obstruction", "cie171/5-7.json", lambda p, n: 300 * truths.cie171_obstruction(p, n), 400000, 0.01),
+    Case("lamp over a glossy plane", "gloss/plane.json", with_normals(gloss.glossy_plane(1000, (0, 0, 1), 0.3, 0.5, 0.2)), 20000, 0.01,
+         methods=GLOSS),
+    Case("lamp, gloss and a mirror", "gloss/mirror.json", with_normals(gloss.glossy_plane(1000, (1.5, 0, 1), 0.3, 0.3, 0.2, 0.8)), 20000,
+         0.01, methods=GLOSS),
+    Case("furnace, glossy floor", "gloss/furnace.json", with_normals(gloss.furnace_floor(1000, (4, 3, 2.5), 0.4, 0.3, 0.3)), 20000,
+         0.01, methods=GLOSS),
 ]

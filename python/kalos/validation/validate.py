@@ -104,7 +104,7 @@ def validate(data=None, wanted=None, trajectories=None, seed=1, say=print):
     passed = True
     for case in CASES:
         for method in methods:
-            if not case.serves(method):
+            if not case.takes(method):
                 continue
             attempt = examine_stated if method in STATING else examine_once if trajectories else examine
             verdict = attempt(case, case.options(method, trajectories, seed), data)

@@ -16,10 +16,15 @@ struct Name
   const char* name;
 };
 
-constexpr Name known[] = {{Technique::Stratified, "stratified"}, {Technique::Picked, "picked"},
-                          {Technique::Convex, "convex"},         {Technique::Near, "near"},
-                          {Technique::Paths, "paths"},           {Technique::Neighbours, "neighbours"},
-                          {Technique::Effort, "effort"},         {Technique::ExactDirect, "exact-direct"}};
+constexpr Name known[] = {{Technique::Stratified, "stratified"},
+                          {Technique::Picked, "picked"},
+                          {Technique::Convex, "convex"},
+                          {Technique::Near, "near"},
+                          {Technique::Paths, "paths"},
+                          {Technique::Neighbours, "neighbours"},
+                          {Technique::Effort, "effort"},
+                          {Technique::Highlights, "highlights"},
+                          {Technique::ExactDirect, "exact-direct"}};
 
 template <class Condition>
 std::string list(const char* separator, const Condition& condition)

@@ -8,6 +8,8 @@
 //   paths          no vertices where paths from the receivers win a trial (estimator/methods/StrategyTrial.h)
 //   neighbours     gather rays shared by neighbouring receivers (estimator/gathering/ReceiverGroup.h)
 //   effort         receivers that reached the goal are skipped (estimator/solve/AdaptiveSampling.h)
+//   highlights     light of luminaires by glossy planes sampled about mirror images (estimator/direct/Highlights.h);
+//                  disabled: by vertices and gather rays
 //   exact-direct   area emitters by Lambert's polygon formula, sampling only their visibility; disabled: all sampled,
 //                  and emitting meshes by the starts of trajectories
 #ifndef kalos_estimator_control_Techniques_h
@@ -27,6 +29,7 @@ enum class Technique
   Paths,
   Neighbours,
   Effort,
+  Highlights,
   ExactDirect
 };
 

@@ -190,9 +190,9 @@ bool DirectLight::sampleUnshadowed(const Sensor& sensor, SampleStream& random, S
   if (!this->aim(sensor, random, aimed, sample.light, known))
     return false;
   sample.target = aimed.target;
-  if (!sensor.brdf)
+  if (!sensor.brdf && !sensor.diffuseOf)
     return true;
-  const Bands weight = response(sensor, aimed.direction, this->Scene_.bands());
+  const Bands weight = responseToLuminaires(sensor, aimed.direction, this->Scene_.bands());
   for (int b = 0; b < this->Scene_.bands(); ++b)
     sample.light[b] *= weight[b];
   return true;
@@ -223,6 +223,9 @@ void DirectLight::sample(const Sensor* sensors, int count, SampleStream& random,
       light[i] = {};
       continue;
     }
+    if (sensors[i].diffuseOf)
+      for (int b = 0; b < this->Scene_.bands(); ++b)
+        light[i][b] *= incidence(sensors[i], sample.direction);
     packet.set(rays, sensors[i].anchor, sample.target);
     lit[rays++] = i;
   }
@@ -241,7 +244,7 @@ void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const L
   const BrdfSample ray = sensor.brdf->sample(sensor.normal, sensor.outgoing, uniformBands(1), u0, u1, u2);
   if (!ray.alive || ray.mirror)
     return;
-  const Bands weight = response(sensor, ray.direction, this->Scene_.bands());
+  const Bands weight = responseToLuminaires(sensor, ray.direction, this->Scene_.bands());
   for (std::size_t i = 0; i < this->LuminaireOf.size(); ++i)
   {
     const LuminousArea& area = this->Areas[i];

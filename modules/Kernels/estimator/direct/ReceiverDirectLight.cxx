@@ -10,6 +10,7 @@ namespace kalos
 namespace
 {
 constexpr int pilotSamples = 16;                // of area emitters, to estimate their visible fraction
+constexpr int trajectoriesPerHighlight = 16;    // of a replicate, per sample of highlights
 constexpr std::size_t steadyAround = 2;         // receivers before and after that must see the same
 constexpr int steadySaving = 8;                 // times fewer samples where the pilot found no partial shadow
 constexpr std::size_t largestViews = 1u << 24;  // unshadowed illuminances kept, receivers times emitters: 128 MB
@@ -33,7 +34,7 @@ SceneNeeds findNeeds(const Scene& scene, const Receivers& receivers, const Setti
 }  // namespace
 
 ReceiverDirectLight::ReceiverDirectLight(const Scene& scene, const Receivers& receivers, const Settings& settings,
-                                         int trajectoriesPerSample)
+                                         bool withHighlights, int trajectoriesPerSample)
     : Scene_(scene),
       PerSample(trajectoriesPerSample),
       Drawn(settings.walks()),
@@ -43,7 +44,8 @@ ReceiverDirectLight::ReceiverDirectLight(const Scene& scene, const Receivers& re
                   this->Needs.emittingTriangles * receivers.points.size() <= largestViews),
       Exact(scene, this->ClosedForms, this->shadows() || this->Sampled),
       Luminaires(scene, false, this->shadows() || this->Sampled),
-      Mirrored(scene)
+      Mirrored(scene),
+      Lobes(scene, withHighlights && settings.uses(Technique::Highlights), this->shadows() || this->Sampled)
 {
   this->Sensors.reserve(receivers.points.size());
   for (std::size_t i = 0; i < receivers.points.size(); ++i)
@@ -56,6 +58,7 @@ ReceiverDirectLight::ReceiverDirectLight(const Scene& scene, const Receivers& re
       sensor.outgoing = receivers.outgoing[i];
       sensor.followsMirror = receivers.followsMirror[i];
     }
+    sensor.highlightsApart = this->Lobes.any();
     this->Sensors.push_back(sensor);
   }
 }
@@ -150,6 +153,21 @@ Bands ReceiverDirectLight::fluctuation(std::size_t r, int replicate, long long f
   return sum;
 }
 
+Bands ReceiverDirectLight::highlights(std::size_t r, int replicate, long long first, int count) const
+{
+  Bands sum{};
+  const int samples = (count + trajectoriesPerHighlight - 1) / trajectoriesPerHighlight;
+  const Walks walks = this->Drawn.ofReceiver(r);
+  for (int s = 0; s < samples; ++s)
+  {
+    SampleStream random = walks.stream(replicate, Purpose::Highlight, first + s);
+    const Bands light = this->Lobes.sample(this->Sensors[r], random);
+    for (int b = 0; b < this->Scene_.bands(); ++b)
+      sum[b] += light[b] * count / samples;
+  }
+  return sum;
+}
+
 void ReceiverDirectLight::score(std::size_t r, int replicate, long long first, int count, Tally& tally) const
 {
   if (tally.converged(r))
@@ -160,6 +178,11 @@ void ReceiverDirectLight::score(std::size_t r, int replicate, long long first, i
     tally.total(r, replicate)[b] += light[b];
     tally.direct(r, replicate)[b] += light[b];
   }
+  if (!this->Lobes.any())
+    return;
+  const Bands reflected = this->highlights(r, replicate, first, count);
+  for (int b = 0; b < tally.bands(); ++b)
+    tally.total(r, replicate)[b] += reflected[b];
 }
 
 bool ReceiverDirectLight::scoreAll(long long first, int count, Workers& workers, Tally& tally) const
@@ -177,6 +200,11 @@ std::vector<AuditLine> ReceiverDirectLight::audit() const
                       : this->MeshesSeen ? EmittingMeshes::MetByPaths
                       : this->Sampled    ? EmittingMeshes::SampledAsRequested
                                          : EmittingMeshes::TooMany;
-  return auditDirectLight({this->Scene_, this->Needs, this->Sensors, this->Mirrored, meshes});
+  std::vector<AuditLine> lines = auditDirectLight({this->Scene_, this->Needs, this->Sensors, this->Mirrored, meshes});
+  if (this->Lobes.any())
+    lines.push_back({"highlights",
+                     "by " + std::to_string(this->Scene_.glossyPlanes().planes().size()) + " glossy planes",
+                     "light of luminaires by a glossy plane is sampled about the lamp's mirror image"});
+  return lines;
 }
 }  // namespace kalos

@@ -8,6 +8,7 @@
 #include "estimator/control/Settings.h"
 #include "estimator/control/Workers.h"
 #include "estimator/direct/DirectLight.h"
+#include "estimator/direct/Highlights.h"
 #include "estimator/direct/MirrorImages.h"
 #include "estimator/tally/Tally.h"
 #include "scene/SceneNeeds.h"
@@ -18,8 +19,9 @@ class ReceiverDirectLight
 {
 public:
   /// The sampled part takes one sample per `trajectoriesPerSample` trajectories of a round; eight times fewer where a
-  /// receiver and its neighbours in order saw all of the emitters or none of them in a pilot.
-  ReceiverDirectLight(const Scene& scene, const Receivers& receivers, const Settings& settings,
+  /// receiver and its neighbours in order saw all of the emitters or none of them in a pilot. `withHighlights`: samples
+  /// highlights, for methods whose vertices and gather rays leave them out (Sensor::highlightsApart).
+  ReceiverDirectLight(const Scene& scene, const Receivers& receivers, const Settings& settings, bool withHighlights,
                       int trajectoriesPerSample = 4);
 
   const std::vector<Sensor>& sensors() const { return this->Sensors; }
@@ -62,6 +64,7 @@ public:
 
 private:
   const DirectLight& direct() const { return this->ClosedForms ? this->Exact : this->Luminaires; }
+  Bands highlights(std::size_t receiver, int replicate, long long first, int count) const;
   void measureVisibility(std::size_t receiver);
   bool isSteady(std::size_t receiver) const;
 
@@ -74,6 +77,7 @@ private:
   DirectLight Exact;       // luminaires, and meshes where closed forms serve
   DirectLight Luminaires;  // luminaires only
   MirrorImages Mirrored;
+  Highlights Lobes;
   std::vector<Sensor> Sensors;
   std::vector<DirectLight::View> Views;
 };

@@ -62,6 +62,9 @@ Sensor sensorAt(const Scene& scene, const SurfaceHit& hit)
   const Vec3 n = hit.side & 1 ? scene.normal(triangle) : -scene.normal(triangle);
   Vec3 p{hit.position[0], hit.position[1], hit.position[2]};
   p += dot(scene.corner(triangle, 0) - p, n) * n;  // onto the plane, in double precision
-  return Sensor(scene.anchor(triangle, p, n));
+  Sensor sensor(scene.anchor(triangle, p, n));
+  if (scene.material(triangle).specular > 0)
+    sensor.diffuseOf = &scene.brdf(triangle);
+  return sensor;
 }
 }  // namespace kalos

@@ -16,7 +16,8 @@ GatherContext::GatherContext(const Scene& scene, const Emission& emission, const
       Shadows(shadows),
       EveryPair(!settings.uses(Technique::Picked)),
       Luminaires(scene, false, shadows),
-      Mirrored(scene)
+      Mirrored(scene),
+      Lobes(scene, settings.uses(Technique::Highlights), shadows)
 {
 }
 

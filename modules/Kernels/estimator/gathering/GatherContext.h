@@ -7,6 +7,7 @@
 #include "estimator/control/Settings.h"
 #include "estimator/control/Workers.h"
 #include "estimator/direct/DirectLight.h"
+#include "estimator/direct/Highlights.h"
 #include "estimator/direct/MirrorImages.h"
 #include "estimator/tracing/VertexDensity.h"
 
@@ -28,6 +29,7 @@ public:
   const VertexDensity& pilot() const { return this->Density; }
   const DirectLight& luminaires() const { return this->Luminaires; }
   const MirrorImages& mirrored() const { return this->Mirrored; }
+  const Highlights& highlights() const { return this->Lobes; }
   bool shadows() const { return this->Shadows; }
   /// Whether one vertex of a block is picked for the shadow ray, instead of all.
   bool picksVertices() const { return this->Shadows && !this->EveryPair; }
@@ -67,6 +69,7 @@ private:
   bool Shadows, EveryPair, PathsOnly = false, Starts = true;
   DirectLight Luminaires;
   MirrorImages Mirrored;
+  Highlights Lobes;
 };
 }  // namespace kalos
 

@@ -29,11 +29,13 @@ std::vector<Face> facesOf(const Scene& scene);
 /// Where a gather ray has hit.
 struct SurfaceHit
 {
-  float position[3];        ///< m
-  std::uint32_t side;       ///< twice the triangle, plus 1 for its front
-  std::uint64_t cell;       ///< key of its cell; the cell's index once GatherHitGrid::add() has seen it
-  bool near = false;        ///< to the ray's start: needs rays in double precision, see isFarFrom()
-  std::uint8_t finder = 0;  ///< receiver of the group that sent the ray
+  float position[3];             ///< m
+  std::uint32_t side;            ///< twice the triangle, plus 1 for its front
+  std::uint64_t cell;            ///< key of its cell; the cell's index once GatherHitGrid::add() has seen it
+  bool near = false;             ///< to the ray's start: needs rays in double precision, see isFarFrom()
+  std::uint8_t finder = 0;       ///< receiver of the group that sent the ray
+  bool byLobe = false;           ///< seen in a glossy surface: lights only the finder, by the factor `weight`
+  float weight = 1, cosine = 1;  ///< by a lobe: the factor, and the ray's cosine here
 };
 
 /// Key of the cell of a hit seen from `distance` (m); the cell is `share` times as wide. Equal keys: same cell, on

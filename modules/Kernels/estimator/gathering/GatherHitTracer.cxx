@@ -11,9 +11,26 @@ namespace
 {
 constexpr int width = SegmentPacket::width;
 
+// Rays drawn from a lobe over its albedo, of one gather ray that has met it: at most one. Against single unbiased rays
+// for all that glossy surfaces reflect, the time to 1 % fell to a third over a polished floor, to a quarter at the foot
+// of a polished block, and to a tenth around a lamp above a polished plate.
+constexpr double lobeRays = 5;
+
 constexpr WavefrontGather::Start wholeLight(bool seesEmission, bool doublePrecision)
 {
   return {std::numeric_limits<double>::infinity(), seesEmission, doublePrecision};
+}
+
+constexpr WavefrontGather::Start lobeAlone(double factor)
+{
+  return {std::numeric_limits<double>::infinity(), false, false, true, factor};
+}
+
+bool hasLuminousMeshes(const Scene& scene)
+{
+  const auto& all = scene.data().materials;
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Material& m) { return photometric(m.exitance, scene.bands()) > 0; });
 }
 }  // namespace
 
@@ -26,7 +43,12 @@ void GatherHitTracer::RayPacketBuffer::add(const SegmentPacket& from, int i, int
 
 GatherHitTracer::GatherHitTracer(const GatherContext& gathering, const ReceiverDirectLight& direct,
                                  const GatherPlan& plan, const Settings& settings)
-    : Rays(gathering), Direct(direct), Plan(plan), Settings_(settings), Faces(facesOf(gathering.scene()))
+    : Rays(gathering),
+      Direct(direct),
+      Plan(plan),
+      Settings_(settings),
+      Faces(facesOf(gathering.scene())),
+      HasLuminousMeshes(hasLuminousMeshes(gathering.scene()))
 {
 }
 
@@ -140,13 +162,78 @@ void GatherHitTracer::tracePacket(RayPacketBuffer& buffer, const ReceiverGroup& 
       gathered.hits.push_back(hit);
       continue;
     }
-    const Vec3 direction{packet.dx[i], packet.dy[i], packet.dz[i]};
     const Walks walks{this->Settings_.seed, Sampling::Independent};
-    unshared.follow(r, each, sensor, direction, scene.trace(sensor.anchor, direction),
-                    wholeLight(!this->Direct.exactMeshes(r), false),
+    GlossyEnd end{r, each, {packet.dx[i], packet.dy[i], packet.dz[i]}, hit, distance};
+    this->addGlossy(end, round,
                     walks.ofReceiver(r).stream(round.replicate, Purpose::Gather,
-                                               round.first * this->Plan.groupSize() + buffer.ray[i]));
+                                               round.first * this->Plan.groupSize() + buffer.ray[i]),
+                    gathered, unshared);
   }
   buffer.count = 0;
+}
+
+bool GatherHitTracer::isShared(const Material& material) const
+{
+  const int bands = this->Rays.scene().bands();
+  return photometric(material.reflectance, bands) > 0 || photometric(material.exitance, bands) > 0;
+}
+
+void GatherHitTracer::addGlossy(GlossyEnd& end, const GatherRound& round, SampleStream random, GatherHits& gathered,
+                                ReceiverRays& unshared) const
+{
+  const Scene& scene = this->Rays.scene();
+  const Sensor& sensor = this->Direct.sensors()[end.receiver];
+  const std::uint32_t triangle = end.hit.side / 2;
+  if (this->isShared(scene.material(triangle)))
+  {
+    end.hit.cell = cellKey(this->Faces[triangle], end.hit, end.distance, round.cellShare);
+    gathered.hits.push_back(end.hit);
+  }
+  const SurfacePoint y = scene.trace(sensor.anchor, end.direction);
+  const bool lampsApart = sensor.highlightsApart && scene.glossyPlanes().of(triangle) != GlossyPlanes::none;
+  if (y.valid && lampsApart && !this->HasLuminousMeshes && scene.material(triangle).mirror == 0)
+    this->followLobe(end, y, round, random, gathered, unshared);
+  else
+    unshared.follow(end.receiver, end.each, sensor, end.direction, y, lobeAlone(1), random);
+}
+
+void GatherHitTracer::followLobe(const GlossyEnd& end, const SurfacePoint& y, const GatherRound& round,
+                                 SampleStream random, GatherHits& gathered, ReceiverRays& unshared) const
+{
+  const Scene& scene = this->Rays.scene();
+  Sensor from(scene.anchor(y));
+  from.brdf = &scene.lobe(y.triangle);
+  from.outgoing = -end.direction;
+  from.highlightsApart = true;
+  const Bands white = uniformBands(1);
+  const double albedo = from.brdf->albedo(dot(from.normal, from.outgoing), white),
+               drawn = std::min(1.0, lobeRays * albedo);
+  const double u0 = random.next(), u1 = random.next(), u2 = random.next();
+  if (!(u0 < drawn))
+    return;
+  const BrdfSample ray = from.brdf->sample(from.normal, from.outgoing, white, u0 * albedo / drawn, u1, u2);
+  if (!ray.alive)
+    return;
+  const SurfacePoint x = scene.trace(from.anchor, ray.direction);
+  if (!x.valid)
+    return;
+  const double factor = ray.weight[0] * albedo / drawn;
+  const Vec3 along = x.position - y.position;
+  SurfaceHit hit = end.hit;
+  hit.byLobe = true;
+  hit.weight = static_cast<float>(factor);
+  hit.cosine = static_cast<float>(-dot(ray.direction, x.normal));
+  hit.near = !isFarFrom(from.anchor, dot(along, along));
+  hit.side = 2 * x.triangle + (x.front ? 1 : 0);
+  for (const auto& [k, p] : {std::pair{0, x.position.x}, {1, x.position.y}, {2, x.position.z}})
+    hit.position[k] = static_cast<float>(p);
+  if (this->isShared(scene.material(x.triangle)))
+  {
+    const float distance = end.distance + static_cast<float>(length(along));
+    hit.cell = cellKey(this->Faces[x.triangle], hit, distance, round.cellShare);
+    gathered.hits.push_back(hit);
+  }
+  if (!scene.brdf(x.triangle).isLambertian())
+    unshared.follow(end.receiver, end.each, from, ray.direction, x, lobeAlone(factor), random);
 }
 }  // namespace kalos

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Traces the gather rays of receivers and finds the cells where they end.
 //
-// Stratified cosine-weighted rays leave the receivers, in packets. A ray that ends on a glossy surface or a mirror, and
-// every ray of a receiver that cannot share hits, is replaced by the unbiased gather ray of `compensated`.
+// Stratified cosine-weighted rays leave the receivers, in packets. What a glossy surface reflects diffusely is shared
+// like that of others (Sensor::diffuseOf): only its lobe depends on the viewer. A ray drawn from the lobe ends on a hit
+// that is lit by its cell like any other, and lights the receiver alone; more rays are drawn than the lobe's albedo
+// says, so that its noise shrinks with its energy. Where the lobe must find luminous meshes, other lobes, curved
+// surfaces' highlights or mirrors, and for every ray of a receiver that cannot share hits, the unbiased gather ray of
+// `compensated` does it.
 #ifndef kalos_estimator_gathering_GatherHitTracer_h
 #define kalos_estimator_gathering_GatherHitTracer_h
 
@@ -46,6 +50,21 @@ private:
   // Traces the buffered packet, stores its hits and empties the buffer.
   void tracePacket(RayPacketBuffer& buffer, const ReceiverGroup& group, int each, const GatherRound& round,
                    GatherHits& gathered, ReceiverRays& unshared) const;
+  // A gather ray that has ended on a glossy surface or a mirror.
+  struct GlossyEnd
+  {
+    std::size_t receiver;
+    int each;  // rays of the receiver
+    Vec3 direction;
+    SurfaceHit hit;
+    float distance;
+  };
+  // Stores the hit for the diffuse part, and finds the light of the lobe.
+  void addGlossy(GlossyEnd& end, const GatherRound& round, SampleStream random, GatherHits& gathered,
+                 ReceiverRays& unshared) const;
+  void followLobe(const GlossyEnd& end, const SurfacePoint& y, const GatherRound& round, SampleStream random,
+                  GatherHits& gathered, ReceiverRays& unshared) const;
+  bool isShared(const Material& material) const;  // whether it reflects diffusely, or emits
   // Finds the hit of ray i of a packet and its distance; false when the ray leaves the scene.
   bool locateHit(const Sensor& sensor, const SegmentPacket& packet, const HitPacket& found, int i, SurfaceHit& hit,
                  float& distance) const;
@@ -55,6 +74,7 @@ private:
   const GatherPlan& Plan;
   Settings Settings_;
   std::vector<Face> Faces;
+  bool HasLuminousMeshes;
 };
 }  // namespace kalos
 

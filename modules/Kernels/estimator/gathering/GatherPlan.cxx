@@ -25,7 +25,10 @@ bool isMostlyDiffuse(const Scene& scene)
 {
   double diffuse = 0;
   for (std::uint32_t t = 0; t < scene.data().triangles.size(); ++t)
-    diffuse += scene.brdf(t).isLambertian() ? scene.area(t) : 0;
+  {
+    const Material& m = scene.material(t);
+    diffuse += photometric(m.reflectance, scene.bands()) >= m.specular + m.mirror ? scene.area(t) : 0;
+  }
   return diffuse > 0.5 * scene.surfaceArea();
 }
 }  // namespace

@@ -33,7 +33,7 @@ public:
   void leaveToPaths() { this->PathsOnly = true; }
 
   /// Whether receivers share the hits of their neighbours' rays. Not where luminous surfaces are all around, nor where
-  /// most surfaces are glossy: their luminance depends on the viewer.
+  /// most surfaces reflect more by lobes and mirrors than diffusely: that luminance depends on the viewer.
   bool sharesRays() const { return !this->PathsOnly && !this->OwnRays && this->MostlyDiffuse; }
   int groupSize() const { return this->sharesRays() ? ReceiverGroup::capacity : 1; }
 

@@ -61,7 +61,13 @@ double HitAccumulation::addHit(const SurfaceHit& hit, const Sensor& at, const Ba
   const Scene& scene = this->Rays.scene();
   const int bands = scene.bands();
   float shares[ReceiverGroup::capacity];
-  group.share(at, hit.finder, hit.near, this->Rays.shadows() ? &scene.rays() : nullptr, shares);
+  if (hit.byLobe)
+  {
+    std::fill_n(shares, ReceiverGroup::capacity, 0.0f);
+    shares[hit.finder] = hit.weight;
+  }
+  else
+    group.share(at, hit.finder, hit.near, this->Rays.shadows() ? &scene.rays() : nullptr, shares);
   const Material& material = scene.material(hit.side / 2);
   Bands reflected, emitted;
   for (int b = 0; b < bands; ++b)
@@ -73,18 +79,26 @@ double HitAccumulation::addHit(const SurfaceHit& hit, const Sensor& at, const Ba
   double taken = 0;
   for (int k = 0; k < group.size(); ++k)
   {
-    const double share = shares[k];
-    if (share == 0)
+    if (shares[k] == 0)
       continue;
-    const bool exactMeshes = this->Direct.exactMeshes(group.receiver(k));
-    taken += share;
+    const double share = shares[k];
+    double diffuse = share;
+    if (at.diffuseOf)
+    {
+      // A lobe's ray came from a surface and not from the receiver: the hit knows its direction.
+      const Vec3 back = hit.byLobe ? Vec3{} : this->Direct.sensors()[group.receiver(k)].position - at.position;
+      const double mu = hit.byLobe ? hit.cosine : dot(back, at.normal) / length(back);
+      diffuse *= at.diffuseOf->diffuseTowards(mu);
+    }
+    const bool seesMeshes = hit.byLobe || !this->Direct.exactMeshes(group.receiver(k));
+    taken += diffuse;
     for (int b = 0; b < bands; ++b)
     {
-      const double m = exactMeshes ? 0 : share * emitted[b];
-      found.emission[k][b] += m;
-      found.sum[k][b] += m + share * reflected[b];
+      const double m = seesMeshes ? share * emitted[b] : 0;
+      found.emission[k][b] += hit.byLobe ? 0 : m;
+      found.sum[k][b] += m + diffuse * reflected[b];
     }
-    const double all = share * (luminous[0] + (exactMeshes ? 0 : luminous[1]));
+    const double all = diffuse * luminous[0] + (seesMeshes ? share * luminous[1] : 0);
     found.largest[k] =
         all >= 0 ? std::max(found.largest[k], all) : std::numeric_limits<double>::quiet_NaN();  // a NaN stays
     found.all += all;

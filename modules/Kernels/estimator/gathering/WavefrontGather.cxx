@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "estimator/kernel/VertexResampling.h"
 #include "sampling/Warp.h"
 
 namespace kalos
@@ -25,11 +24,12 @@ std::size_t WavefrontGather::add(const Sensor& sensor, const Start& start, const
 {
   this->Paths.push_back({sensor,
                          random,
-                         uniformBands(1),
+                         uniformBands(start.factor),
                          start.share,
                          start.share,
                          start.seesEmission,
                          start.doublePrecision,
+                         start.lobeOnly,
                          first,
                          {}});
   this->Found.resize(2 * this->Count * this->Paths.size(), 0);
@@ -47,7 +47,7 @@ std::size_t WavefrontGather::follow(const Sensor& sensor, const Vec3& direction,
                                     const Start& start, const SampleStream& random)
 {
   const std::size_t i = this->add(sensor, start, random, true);
-  this->Paths[i].sampled = {direction, dot(direction, sensor.normal) / pi, false};
+  this->Paths[i].sampled = {direction, gatherDensity(sensor, direction), false, keptLobeShare(sensor, direction)};
   if (this->advance(i, y))
     this->Active.push_back(i);
   return i;
@@ -57,6 +57,8 @@ std::size_t WavefrontGather::indirectLight(const Sensor& sensor, bool doublePrec
 {
   const double share = this->Rays.blockShare(this->Pool.trajectories, cellBlock);
   const std::size_t i = this->add(sensor, {share, true, doublePrecision}, random, false);
+  this->Paths[i].at.highlightsApart = this->Rays.highlights().any();
+  this->addHighlights(i, 1);
   this->addVertices(i, cellBlock);
   this->Active.push_back(i);
   return i;
@@ -104,14 +106,32 @@ bool WavefrontGather::draw(PathState& path) const
   if (!sensor.brdf)
   {
     const Vec3 direction = Frame(sensor.normal).toWorld(cosineHemisphere(u1, u2));
-    path.sampled = {direction, dot(direction, sensor.normal) / pi, false};
+    path.sampled = {direction, dot(direction, sensor.normal) / pi, false, keptLobeShare(sensor, direction)};
+    if (sensor.diffuseOf)
+      for (double& t : path.throughput)
+        t *= incidence(sensor, direction);
     return path.sampled.density > 0;
   }
   const Bands white = uniformBands(1);
-  const BrdfSample sample = sensor.brdf->sample(sensor.normal, sensor.outgoing, white, path.random.next(), u1, u2);
+  double u0 = path.random.next();
+  if (path.lobeOnly)
+  {
+    // More rays than the little that a lobe reflects would have: its error shrinks with its energy.
+    const double reflected =
+        sensor.brdf->material().mirror + sensor.brdf->albedo(dot(sensor.normal, sensor.outgoing), white);
+    const double drawn = std::min(1.0, kept * reflected);
+    if (u0 >= drawn)
+      return false;
+    u0 *= reflected / drawn;
+    for (double& t : path.throughput)
+      t *= reflected / drawn;
+    path.lobeOnly = false;
+  }
+  const BrdfSample sample = sensor.brdf->sample(sensor.normal, sensor.outgoing, white, u0, u1, u2);
   if (!sample.alive || (sample.mirror && !sensor.followsMirror))
     return false;
-  path.sampled = {sample.direction, sample.density, sample.mirror};
+  path.sampled = {sample.direction, sample.density, sample.mirror,
+                  sample.mirror ? 1 : keptLobeShare(sensor, sample.direction)};
   const int bands = this->Rays.scene().bands();
   double share = 1;  // vertices do not score on a mirror
   if (!sample.mirror && !std::isinf(sensor.ratio))
@@ -143,7 +163,8 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
 
   // The hit becomes the next sensor: for illuminance, or for its response towards the previous one.
   Sensor next(scene.anchor(y));
-  const Brdf& brdf = scene.brdf(y.triangle);
+  next.highlightsApart = this->Rays.highlights().any();
+  const Brdf& brdf = path.lobeOnly ? scene.lobe(y.triangle) : scene.brdf(y.triangle);
   if (brdf.isLambertian())
     for (int b = 0; b < scene.bands(); ++b)
       path.throughput[b] *= gatheredShare(ratio) * brdf.material().reflectance[b];
@@ -152,6 +173,8 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
     next.brdf = &brdf;
     next.outgoing = -sampled.direction;
     next.ratio = ratio;
+    if (scene.glossyPlanes().of(y.triangle) != GlossyPlanes::none)
+      next.keptLobe = sampled.keptLobe;
   }
   if (!(photometric(path.throughput, scene.bands()) > 0) || (!path.first && !this->survives(path)))
     return false;
@@ -159,6 +182,7 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
   path.doublePrecision = !isFarFrom(next.anchor, squared);
   path.at = next;
   this->addLuminaires(i);
+  this->addHighlights(i, rayHighlights);
   this->addVertices(i, rayBlock);
   // Add point luminaires seen by mirrors only where no vertex scores; elsewhere vertices include that light.
   if (whole && this->Rays.mirrored().any())
@@ -202,95 +226,5 @@ bool WavefrontGather::survives(PathState& path) const
   for (int b = 0; b < bands; ++b)
     path.throughput[b] /= survival;
   return true;
-}
-
-void WavefrontGather::addLuminaires(std::size_t i)
-{
-  PathState& path = this->Paths[i];
-  DirectLight::Sample sample;
-  Bands known{};
-  if (this->Rays.luminaires().sampleUnshadowed(path.at, path.random, sample, known))
-    this->addIfSeen(i, sample.target, sample.light);
-  if (path.at.brdf)
-    this->addWeighted(i, known);
-}
-
-void WavefrontGather::addVertices(std::size_t i, int blockSize)
-{
-  const LightVertices& pool = *this->Pool.vertices;
-  const int trajectories = this->Pool.trajectories;
-  if (!this->Rays.pathsOnly())
-    for (const VertexSet* set : {&pool.reflected, &pool.glossy})
-      this->addBlock(i, *set, blockSize, this->Rays.blockShare(trajectories, blockSize));
-  if (this->Rays.usesStarts())
-    this->addBlock(i, pool.emitted, blockSize, this->Rays.startShare(trajectories, blockSize));
-}
-
-void WavefrontGather::addBlock(std::size_t i, const VertexSet& set, int blockSize, double share)
-{
-  if (set.size() == 0)
-    return;
-  static_assert(rayBlock <= VertexTile::capacity && cellBlock <= VertexTile::capacity, "a block is scored as one tile");
-  // A run of vertices from a random start, wrapped at the end, so that each vertex has the same probability.
-  const std::size_t size = std::min<std::size_t>(blockSize, set.size());
-  const auto begin = static_cast<std::size_t>(this->Paths[i].random.next() * static_cast<double>(set.size()));
-  const std::size_t straight = std::min(size, set.size() - begin);
-  const double weight = static_cast<double>(set.size()) / static_cast<double>(size) / this->Pool.trajectories;
-  this->addRun(i, set, begin, straight, share, weight);
-  if (straight < size)
-    this->addRun(i, set, 0, size - straight, share, weight);
-}
-
-void WavefrontGather::addRun(std::size_t i, const VertexSet& set, std::size_t begin, std::size_t count, double share,
-                             double weight)
-{
-  PathState& path = this->Paths[i];
-  const double u = path.random.next();
-  ResampledScore pick;
-  const bool picks = this->Rays.picksVertices();
-  if (!picks)
-  {
-    // Every pair has a shadow ray of its own, or none can be hidden.
-    pick.light = {};
-    const ShadowPicks all{this->Rays.shadows() ? &this->Rays.scene().rays() : nullptr, 0, u};
-    addResampledScores(set, begin, static_cast<int>(count), path.at, share, all, pick.light.data());
-  }
-  else if (!resampleOne(set, begin, static_cast<int>(count), path.at, share, u, pick))
-    return;
-  for (std::size_t b = 0; b < this->Count; ++b)
-    pick.light[b] *= weight;
-  if (picks)
-    this->addIfSeen(i, pick.target, pick.light);
-  else
-    this->addWeighted(i, pick.light);
-}
-
-void WavefrontGather::addWeighted(std::size_t i, const Bands& light)
-{
-  for (std::size_t b = 0; b < this->Count; ++b)
-    this->found(i)[b] += this->Paths[i].throughput[b] * light[b];
-}
-
-void WavefrontGather::addIfSeen(std::size_t i, const RayAnchor& target, const Bands& light)
-{
-  const PathState& path = this->Paths[i];
-  // A NaN skips the shadow test, so that checkFinite() reports it.
-  if (!this->Rays.shadows() || std::isnan(light[0]))
-    return this->addWeighted(i, light);
-  this->Shadows.push_back({path.at.anchor, target, path.doublePrecision});
-  this->PendingPath.push_back(i);
-  for (std::size_t b = 0; b < this->Count; ++b)
-    this->PendingContributions.push_back(path.throughput[b] * light[b]);
-}
-
-void WavefrontGather::addSeen()
-{
-  shadowTogether(this->Rays.scene().rays(), this->Shadows);
-  for (std::size_t k = 0; k < this->Shadows.size(); ++k)
-    for (std::size_t b = 0; b < this->Count && !this->Shadows[k].hidden; ++b)
-      this->found(this->PendingPath[k])[b] += this->PendingContributions[k * this->Count + b];
-  this->Shadows.clear();
-  this->PendingContributions.clear();
-  this->PendingPath.clear();
 }
 }  // namespace kalos

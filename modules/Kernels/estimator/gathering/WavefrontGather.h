@@ -29,6 +29,9 @@ public:
     double share;       ///< gather rays of the sensor per trajectory that scores at it; infinite: no vertex does
     bool seesEmission;  ///< add (1 - a) of the exitance where the first ray ends; false when it is known exactly
     bool doublePrecision = false;  ///< the sensor lies in a gap: see isInGap()
+    /// Of follow(): only what the lobe and the mirror of the surface at y reflect, by this factor.
+    bool lobeOnly = false;
+    double factor = 1;
   };
 
   /// Adds a gather ray: it finds the share 1 - a of the light that reaches the sensor from surfaces, lx per band
@@ -59,12 +62,17 @@ private:
   // shadow ray, so that a larger block is hardly less noisy: of 16, 64 and 256, 64 took 6 % less time than the others
   // to the same error on a floor; along an edge there was no difference.
   static constexpr int rayBlock = 64, cellBlock = 256;
+  // How many times smaller blocks of glossy vertices are, because a pair takes some fifty times as long.
+  static constexpr int glossyCost = 8;
+  // Probability that highlights are sampled where a gather ray ends; a shared estimate always has a sample.
+  static constexpr double rayHighlights = 0.25;
 
   struct DirectionSample
   {
     Vec3 direction;
     double density;  // per sr
     bool mirror;
+    double keptLobe = 1;  // Sensor::keptLobe of a surface that it hits
   };
   // The state of each gather ray's path.
   struct PathState
@@ -73,7 +81,7 @@ private:
     SampleStream random;
     Bands throughput;
     double share, startShare;  // as in Start; beside starts on emitting meshes
-    bool seesEmission, doublePrecision, first;
+    bool seesEmission, doublePrecision, lobeOnly, first;
     DirectionSample sampled;
   };
   std::size_t add(const Sensor& sensor, const Start& start, const SampleStream& random, bool first);
@@ -82,6 +90,7 @@ private:
   void addEmission(std::size_t i, const SurfacePoint& y, double kernel);
   bool survives(PathState& path) const;
   void addLuminaires(std::size_t i);
+  void addHighlights(std::size_t i, double probability);
   void addVertices(std::size_t i, int blockSize);
   void addBlock(std::size_t i, const VertexSet& set, int blockSize, double share);
   void addRun(std::size_t i, const VertexSet& set, std::size_t begin, std::size_t count, double share, double weight);

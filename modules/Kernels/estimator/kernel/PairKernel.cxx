@@ -33,8 +33,10 @@ void formGlossyPairs(const VertexSet& v, std::size_t begin, int count, const Sen
     double lobe = 1;
     if (v.isGlossy())
     {
-      const Bands f = v.brdf[j]->timesPi(v.normal(j), v.incident[j], -incident);
-      lobe = lobeRatio(*v.brdf[j], v.normal(j), v.incident[j], f, bands);
+      const double kept = v.arrival[j] == Arrival::StraightOnPlane ? keptLobeShare(sensor, incident) : 1;
+      const Bands f = v.brdf[j]->timesPi(v.normal(j), v.incident[j], -incident, kept);
+      if (v.arrival[j] == Arrival::Scattered)
+        lobe = lobeRatio(*v.brdf[j], v.normal(j), v.incident[j], f, bands);
       for (int b = 0; b < bands; ++b)
         factor[b] *= f[b];
     }
@@ -49,7 +51,7 @@ void formGlossyPairs(const VertexSet& v, std::size_t begin, int count, const Sen
 
 void formPairs(const VertexSet& v, std::size_t begin, int count, const Sensor& sensor, double share, PairBlock& block)
 {
-  if (v.isGlossy() || sensor.brdf)
+  if (v.isGlossy() || sensor.brdf || sensor.diffuseOf)
     return formGlossyPairs(v, begin, count, sensor, share, block);
   block.factor.clear();
   alignas(64) float kernel[PairBlock::capacity];

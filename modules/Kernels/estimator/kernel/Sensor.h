@@ -17,7 +17,11 @@ struct Sensor
   Vec3 position, normal;
   RayAnchor anchor;            ///< where its rays leave the surface that it may lie on
   const Brdf* brdf = nullptr;  ///< null: illuminance
-  Vec3 outgoing;               ///< unit, away from the surface; with brdf
+  /// Of an illuminance, or null: it is weighted by what the diffuse part of this glossy material keeps by incidence, so
+  /// that rho Brdf::diffuseTowards() times it is reflected. Unlike the whole reflection, it does not depend on the
+  /// viewer.
+  const Brdf* diffuseOf = nullptr;
+  Vec3 outgoing;  ///< unit, away from the surface; with brdf
   bool doublePrecision =
       false;  ///< its rays are traced singly, because it lies in a gap or near other surfaces: see isInGap()
   bool followsMirror = true;  ///< false: the mirror part of the BRDF is left out
@@ -25,6 +29,12 @@ struct Sensor
   /// a = 1/(1 + f^ G/G*), where f^ is pi f over the albedo; what is measured here is the share 1 - a. Infinite: all of
   /// it.
   double ratio = std::numeric_limits<double>::infinity();
+  /// Light that comes from luminaires by the lobe of a glossy plane is sampled by Highlights, but for the share that
+  /// falls into the sensor's own lobe (keptLobeShare); vertices and gather rays leave it out.
+  bool highlightsApart = false;
+  /// Of a glossy surface that a gather ray has found: factor of its lobe for light straight from luminaires. Below 1
+  /// where the sensor that sent the ray has highlights apart.
+  double keptLobe = 1;
 
   Sensor() = default;
   explicit Sensor(const RayAnchor& a) : position(a.point), normal(a.normal), anchor(a) {}
@@ -44,15 +54,42 @@ inline double lobeRatio(const Brdf& brdf, const Vec3& normal, const Vec3& toward
   return albedo > 0 ? photometric(timesPi, bands) / albedo : 0;
 }
 
+/// Weight of an illuminance from the unit direction `incident`.
+inline double incidence(const Sensor& s, const Vec3& incident)
+{
+  return s.diffuseOf ? s.diffuseOf->diffuseIncidence(dot(s.normal, incident)) : 1;
+}
+
 /// Response to light from the unit direction `incident`, per band: 1, or pi f times the gathered share.
 inline Bands response(const Sensor& s, const Vec3& incident, int bands)
 {
   if (!s.brdf)
-    return uniformBands(1);
+    return uniformBands(incidence(s, incident));
   Bands f = s.brdf->timesPi(s.normal, incident, s.outgoing);
   if (std::isinf(s.ratio))  // infinity times a zero lobe, as a mirror's, would be NaN
     return f;
   const double share = gatheredShare(s.ratio * lobeRatio(*s.brdf, s.normal, incident, f, bands));
+  for (int b = 0; b < bands; ++b)
+    f[b] *= share;
+  return f;
+}
+
+/// Share of the response to light from `incident` that is the sensor's own lobe; 1 where no highlights are apart.
+inline double keptLobeShare(const Sensor& s, const Vec3& incident)
+{
+  if (!s.highlightsApart)
+    return 1;
+  return s.brdf ? s.brdf->lobeShare(s.normal, incident, s.outgoing) : 0;
+}
+
+/// Response to light straight from a luminaire, per band: vertices score such light with a share a = 1/(1 + G/G*),
+/// without the factor f^, as no ray drawn from the lobe can hit a point.
+inline Bands responseToLuminaires(const Sensor& s, const Vec3& incident, int bands)
+{
+  if (!s.brdf)
+    return uniformBands(incidence(s, incident));
+  Bands f = s.brdf->timesPi(s.normal, incident, s.outgoing, s.keptLobe);
+  const double share = gatheredShare(s.ratio);
   for (int b = 0; b < bands; ++b)
     f[b] *= share;
   return f;

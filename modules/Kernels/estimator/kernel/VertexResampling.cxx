@@ -187,7 +187,7 @@ bool pickPair(const VertexSet& v, const PairBlock& block, double u, ResampledSco
 double addResampledScores(const VertexSet& v, std::size_t begin, int count, const Sensor& sensor, double share,
                           const ShadowPicks& shadows, double* sum)
 {
-  if (v.isGlossy() || sensor.brdf || shadows.picks == 0)
+  if (v.isGlossy() || sensor.brdf || sensor.diffuseOf || shadows.picks == 0)
   {
     PairBlock block;
     formPairs(v, begin, count, sensor, share, block);
@@ -255,8 +255,11 @@ bool resampleOne(const VertexSet& v, std::size_t begin, int count, const Sensor&
     return !std::isfinite(total) && noScore(v, pick);
   const std::size_t j = begin + static_cast<std::size_t>(i);
   pick.target = v.anchor(j);
+  // Picked by the score of an even illuminance, and weighed after: the incidence varies little.
+  const double weight =
+      sensor.diffuseOf ? total * incidence(sensor, normalized(v.position(j) - sensor.position)) : total;
   for (std::size_t b = 0; b < v.flux.size(); ++b)
-    pick.light[b] = total / static_cast<double>(v.luminous[j]) * static_cast<double>(v.flux[b][j]);
+    pick.light[b] = weight / static_cast<double>(v.luminous[j]) * static_cast<double>(v.flux[b][j]);
   return true;
 }
 }  // namespace kalos

@@ -28,7 +28,7 @@ Bidirectional::Bidirectional(const Scene& scene, const Receivers& receivers, con
     : Scene_(scene),
       Settings_(settings),
       Source(scene),
-      Direct(scene, receivers, settings),
+      Direct(scene, receivers, settings, false),
       Luminaires(scene, false, this->Direct.shadows())
 {
 }

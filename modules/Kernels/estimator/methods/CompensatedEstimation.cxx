@@ -12,7 +12,7 @@ CompensatedEstimation::CompensatedEstimation(const Scene& scene, const Receivers
     : Scene_(scene),
       Settings_(settings),
       Source(scene),
-      Direct(scene, receivers, settings),
+      Direct(scene, receivers, settings, true),
       Light(scene, this->Source, settings, this->Direct.shadows(), receivers.points.size()),
       EdgeDistances(receivers.edgeDistances)
 {

@@ -17,7 +17,7 @@ FinalGathering::FinalGathering(const Scene& scene, const Receivers& receivers, c
     : Scene_(scene),
       Settings_(settings),
       Source(scene),
-      Direct(scene, receivers, settings, trajectoriesPerSample),
+      Direct(scene, receivers, settings, true, trajectoriesPerSample),
       Rays(scene, this->Source, settings, this->Direct.shadows()),
       Plan(scene, this->Direct.sensors(), settings),
       Tracer(this->Rays, this->Direct, this->Plan, settings),

@@ -23,7 +23,7 @@ LocalEstimation::LocalEstimation(const Scene& scene, const Receivers& receivers,
     : Scene_(scene),
       Settings_(settings),
       Source(scene),
-      Direct(scene, receivers, settings),
+      Direct(scene, receivers, settings, false),
       CollisionsPerArea(VertexDensity(scene, this->Source, settings.walks()).typical()),
       Alteration(
           makeRegularization(scene, receivers, settings, this->CollisionsPerArea * plannedTrajectories(settings)))

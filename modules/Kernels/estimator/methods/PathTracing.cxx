@@ -13,7 +13,7 @@ constexpr double noVertices = std::numeric_limits<double>::infinity();  // gathe
 PathTracing::PathTracing(const Scene& scene, const Receivers& receivers, const Settings& settings)
     : Settings_(settings),
       Source(scene),
-      Direct(scene, receivers, settings),
+      Direct(scene, receivers, settings, false),
       Rays(scene, this->Source, settings, this->Direct.shadows())
 {
   this->Rays.usePathsOnly(true);

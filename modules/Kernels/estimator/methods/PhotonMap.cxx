@@ -29,7 +29,7 @@ PhotonMap::PhotonMap(const Scene& scene, const Receivers& receivers, const Setti
     : Scene_(scene),
       Settings_(settings),
       Source(scene),
-      Direct(scene, receivers, settings),
+      Direct(scene, receivers, settings, false),
       Rays(scene, this->Source, settings, this->Direct.shadows()),
       FirstRadius(1)
 {

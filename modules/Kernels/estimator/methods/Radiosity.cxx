@@ -40,7 +40,7 @@ Radiosity::Radiosity(const Scene& scene, const Receivers& receivers, const Setti
     : Scene_(scene),
       Settings_(settings),
       Source(scene),
-      Direct(scene, receivers, settings),
+      Direct(scene, receivers, settings, false),
       Luminaires(scene, false, this->Direct.shadows())
 {
   this->refuse();

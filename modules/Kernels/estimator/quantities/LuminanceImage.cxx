@@ -6,11 +6,14 @@
 
 #include "estimator/direct/DirectLight.h"
 #include "estimator/solve/Solver.h"
+#include "sampling/Sobol.h"
 
 namespace kalos
 {
 namespace
 {
+constexpr int mostPixelSamples = 256;
+
 void check(const Camera& c)
 {
   auto require = [](bool condition, const char* message) {
@@ -20,12 +23,13 @@ void check(const Camera& c)
   require(isFinite(c.position) && isFinite(c.target) && isFinite(c.up), "camera: coordinates must be finite");
   require(c.fieldOfView > 0 && c.fieldOfView < 180, "camera: the field of view must lie between 0 and 180 degrees");
   require(c.width > 0 && c.height > 0, "camera: the resolution must be at least 1 x 1");
+  require(c.pixelSamples > 0 && c.pixelSamples <= mostPixelSamples, "camera: pixel_samples must lie between 1 and 256");
   require(length(c.target - c.position) > 0, "camera: position and target must differ");
   require(length(cross(c.target - c.position, c.up)) > 1e-9 * length(c.target - c.position) * length(c.up),
           "camera: up must not be parallel to the line of sight");
 }
 
-// Direction of the line of sight through the centre of a pixel.
+// Directions of the lines of sight through the pixels.
 class Lens
 {
 public:
@@ -39,10 +43,13 @@ public:
   {
   }
 
-  Vec3 direction(int column, int row) const
+  // Through the place (u, v) in a pixel, in [0,1).
+  Vec3 direction(std::size_t pixel, double u, double v) const
   {
-    const double x = (2 * (column + 0.5) / this->Width - 1) * this->HalfHeight * this->Width / this->Height;
-    const double y = (2 * (row + 0.5) / this->Height - 1) * this->HalfHeight;
+    const std::size_t columns = static_cast<std::size_t>(this->Width), column = pixel % columns, row = pixel / columns;
+    const double x =
+        (2 * (static_cast<double>(column) + u) / this->Width - 1) * this->HalfHeight * this->Width / this->Height;
+    const double y = (2 * (static_cast<double>(row) + v) / this->Height - 1) * this->HalfHeight;
     return normalized(this->Forward + x * this->Right + y * this->Up);
   }
 
@@ -66,8 +73,18 @@ public:
     this->Emitted.trusted.assign(pixels, 1);
     const Lens lens(camera);
     const Vec3 eye = camera.position - scene.origin();
+    const std::vector<char> atEdge = this->findEdges(camera, lens, eye);
     for (std::size_t i = 0; i < pixels; ++i)
-      this->follow(i, eye, lens.direction(static_cast<int>(i % camera.width), static_cast<int>(i / camera.width)));
+    {
+      const int samples = atEdge[i] ? camera.pixelSamples : 1;
+      for (int k = 0; k < samples; ++k)
+      {
+        double u = 0.5, v = 0.5;
+        if (samples > 1)
+          sobolPoint(pixelPattern, static_cast<std::uint32_t>(k), u, v);
+        this->follow(i, eye, lens.direction(i, u, v), 1.0 / samples);
+      }
+    }
   }
 
   const Receivers& receivers() const { return this->Seen; }
@@ -101,12 +118,65 @@ public:
 
 private:
   static constexpr int mirrorsFollowed = 8;  // gather rays follow further ones
+  static constexpr std::uint64_t pixelPattern = 0x706978656c;
 
-  void follow(std::size_t pixel, const Vec3& eye, Vec3 direction)
+  // What a line of sight sees.
+  struct Sight
+  {
+    SurfacePoint first;
+    std::uint64_t materials = 0;  // a hash of all that it meets by mirrors
+  };
+  Sight look(const Vec3& eye, Vec3 direction) const
+  {
+    Sight sight;
+    SurfacePoint y = sight.first = this->Scene_.trace(eye, direction);
+    for (int mirrors = 0; y.valid; ++mirrors)
+    {
+      const Material& material = this->Scene_.material(y.triangle);
+      sight.materials = mixBits(sight.materials + this->Scene_.data().triangleMaterial[y.triangle] + 1);
+      if (!(material.mirror > 0) || mirrors == mirrorsFollowed)
+        break;
+      direction = reflected(-direction, y.normal);
+      y = this->Scene_.trace(this->Scene_.anchor(y), direction);
+    }
+    return sight;
+  }
+
+  static bool isEdge(const Sight& a, const Sight& b)
+  {
+    constexpr double sameNormal = 0.98, step = 0.2;
+    if (a.first.valid != b.first.valid || a.materials != b.materials)
+      return true;
+    if (!a.first.valid)
+      return false;
+    const Vec3 way = b.first.position - a.first.position;
+    return dot(a.first.normal, b.first.normal) < sameNormal || std::abs(dot(way, a.first.normal)) > step * length(way);
+  }
+
+  // Whether each pixel differs from one of those around it.
+  std::vector<char> findEdges(const Camera& camera, const Lens& lens, const Vec3& eye) const
+  {
+    const int width = camera.width, height = camera.height;
+    std::vector<char> found(static_cast<std::size_t>(width) * height, 0);
+    if (camera.pixelSamples == 1)
+      return found;
+    std::vector<Sight> sights(found.size());
+    for (std::size_t i = 0; i < sights.size(); ++i)
+      sights[i] = this->look(eye, lens.direction(i, 0.5, 0.5));
+    for (int row = 0; row < height; ++row)
+      for (int column = 0; column < width; ++column)
+        for (int r = std::max(0, row - 1); r <= std::min(height - 1, row + 1); ++r)
+          for (int c = std::max(0, column - 1); c <= std::min(width - 1, column + 1); ++c)
+            if (isEdge(sights[static_cast<std::size_t>(row) * width + column],
+                       sights[static_cast<std::size_t>(r) * width + c]))
+              found[static_cast<std::size_t>(row) * width + column] = 1;
+    return found;
+  }
+
+  void follow(std::size_t pixel, const Vec3& eye, Vec3 direction, double weight)
   {
     const int bands = this->Scene_.bands();
     SurfacePoint y = this->Scene_.trace(eye, direction);
-    double weight = 1;
     for (int mirrors = 0; y.valid; ++mirrors)
     {
       const Material& material = this->Scene_.material(y.triangle);

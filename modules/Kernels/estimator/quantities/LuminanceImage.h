@@ -18,6 +18,9 @@ struct Camera
   Vec3 position, target, up{0, 0, 1};
   double fieldOfView = 45;  ///< vertical, degrees, in (0, 180)
   int width = 256, height = 256;
+  /// Lines of sight in a pixel beside an edge: where it and its neighbours see other surfaces or normals, or a step in
+  /// depth, also in mirrors. Elsewhere a pixel has one, through its centre. 1: everywhere.
+  int pixelSamples = 16;
 };
 
 struct LuminanceResult

@@ -27,6 +27,7 @@ void changeArrays(const Change& change, VertexSet& v, const Set&... others)
     change(v.flux[b], others.flux[b]...);
   change(v.brdf, others.brdf...);
   change(v.incident, others.incident...);
+  change(v.arrival, others.arrival...);
 }
 }  // namespace
 
@@ -56,11 +57,13 @@ void VertexSet::add(const RayAnchor& at, const Bands& m, double inverse)
 }
 
 void VertexSet::addGlossy(const Scene& scene, const SurfacePoint& point, const Vec3& towardsLight,
-                          const Bands& incidentFlux, double inverse)
+                          const Bands& incidentFlux, bool straight, double inverse)
 {
   this->add(scene.anchor(point), incidentFlux, inverse);
   this->brdf.push_back(&scene.brdf(point.triangle));
   this->incident.push_back(towardsLight);
+  const bool onPlane = scene.glossyPlanes().of(point.triangle) != GlossyPlanes::none;
+  this->arrival.push_back(!straight ? Arrival::Scattered : onPlane ? Arrival::StraightOnPlane : Arrival::Straight);
 }
 
 long long VertexSet::key(std::size_t i) const

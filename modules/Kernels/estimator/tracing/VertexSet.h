@@ -9,6 +9,14 @@
 
 namespace kalos
 {
+/// How the light of a glossy vertex came there.
+enum class Arrival : std::uint8_t
+{
+  Scattered,       ///< by other surfaces, or from an emitting mesh
+  Straight,        ///< from a luminaire
+  StraightOnPlane  ///< the same on a plane of Scene::glossyPlanes()
+};
+
 /// Vertices in structure-of-arrays form, single precision, about the scene's origin; fluxes as if the vertex's
 /// trajectory were the only one. A Lambertian vertex sends its flux from p into the hemisphere about n. A glossy one
 /// has its incident flux and the direction it comes from instead, and reflects by its material.
@@ -21,6 +29,7 @@ struct VertexSet
   std::vector<std::vector<float>> flux;  ///< lm, one array per band
   std::vector<const Brdf*> brdf;         ///< of glossy vertices; empty in a Lambertian set
   std::vector<Vec3> incident;            ///< unit, towards where the light comes from; with brdf
+  std::vector<Arrival> arrival;          ///< how that light came; with brdf
 
   explicit VertexSet(int bands = 1) : flux(bands) {}
   std::size_t size() const { return this->px.size(); }
@@ -40,7 +49,7 @@ struct VertexSet
 
   void add(const RayAnchor& at, const Bands& fluxPerBand, double inverse = -1);
   void addGlossy(const Scene& scene, const SurfacePoint& point, const Vec3& towardsLight, const Bands& incidentFlux,
-                 double inverse = -1);
+                 bool straight, double inverse = -1);
   void append(const VertexSet& other);
   void reorder(const std::vector<std::size_t>& order);  ///< vertex i becomes the one that was at order[i]
 };
