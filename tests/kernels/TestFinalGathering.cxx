@@ -162,7 +162,8 @@ TEST(HitAccumulation, ReceiversGetWhatTheirRaysFind)
   const CellShading cells = shade(g, found);
   InterpolationCheck check;
   check.reset(2, 1);
-  HitAccumulation(g.context, g.direct, g.plan).add(0, found, cells, g.tally, check.of(0, 0));
+  const BrightSpots spots(g.context);
+  HitAccumulation(g.context, g.direct, g.plan, spots).add(0, found, cells, g.tally, check.of(0, 0));
   double sum = 0;
   for (const ReceiverGroup& group : g.plan.groups(0, g.tally))
     for (int k = 0; k < group.size(); ++k)

@@ -166,12 +166,12 @@ TEST(LightSampler, PacketsOfSensorsSeeWhatEachSees)
   {
     const int count = begin % 3 == 0 ? SegmentPacket::width : 11;
     SampleStream together(Sampling::Independent, 8, 0, Purpose::DirectLight, begin), alone = together;
-    Bands found[SegmentPacket::width];
+    DirectLight::Sample found[SegmentPacket::width];
     light.sample(&all[begin], count, together, found);
     for (int i = 0; i < count; ++i)
     {
       const double e = light.sample(all[begin + static_cast<std::size_t>(i)], alone)[0];
-      EXPECT_DOUBLE_EQ(found[i][0], e) << begin + static_cast<std::size_t>(i);
+      EXPECT_DOUBLE_EQ(found[i].light[0], e) << begin + static_cast<std::size_t>(i);
       ++(e > 0 ? lighted : dark);
     }
   }

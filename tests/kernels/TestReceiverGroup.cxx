@@ -47,12 +47,14 @@ TEST(ReceiverGroup, SharesGoAsTheKernel)
     all += kernels[k] = kernel(scene, k, y);
   for (const RayScene* rays : {static_cast<const RayScene*>(nullptr), &scene.rays()})
   {
-    float shares[capacity];
-    group.share(y, 2, false, rays, shares);
+    const ReceiverGroup::Shares found = group.share(y, 2, false, rays);
     for (int k = 0; k < 5; ++k)
-      EXPECT_NEAR(shares[k], kernels[k] / all, 1e-6);
+    {
+      EXPECT_NEAR(found.share[k], kernels[k] / all, 1e-6);
+      EXPECT_NEAR(found.kernel[k], kernels[k] / pi, 1e-6 * kernels[k]);
+    }
     for (int k = 5; k < capacity; ++k)
-      EXPECT_EQ(shares[k], 0);
+      EXPECT_EQ(found.share[k], 0);
   }
   EXPECT_EQ(group.receiver(3), 13u);
 }
@@ -64,15 +66,13 @@ TEST(ReceiverGroup, HiddenReceiversTakeNothing)
   rooms::addQuad(d, {0, 0, 2}, {1.7, 0, 0}, {0, 5, 0}, 0);  // above the first three, seen from right above them
   const Scene scene(d);
   const Sensor y = at(scene, {1.2, 2, 5}, {0, 0, -1});
-  float shares[capacity];
-  row(scene).share(y, 4, false, &scene.rays(), shares);
+  ReceiverGroup::Shares found = row(scene).share(y, 4, false, &scene.rays());
   const double third = kernel(scene, 3, y), fourth = kernel(scene, 4, y);
   for (int k = 0; k < 3; ++k)
-    EXPECT_EQ(shares[k], 0) << "receiver " << k;
-  EXPECT_NEAR(shares[3], third / (third + fourth), 1e-6);
-  EXPECT_NEAR(shares[4], fourth / (third + fourth), 1e-6);
-  row(scene).share(y, 4, false, nullptr, shares);
-  EXPECT_GT(shares[0], 0);
+    EXPECT_EQ(found.share[k] + found.kernel[k], 0) << "receiver " << k;
+  EXPECT_NEAR(found.share[3], third / (third + fourth), 1e-6);
+  EXPECT_NEAR(found.share[4], fourth / (third + fourth), 1e-6);
+  EXPECT_GT(row(scene).share(y, 4, false, nullptr).share[0], 0);
 }
 
 // Behind a receiver's surface, on the back of y's, and near: the finder alone, or without those.
@@ -80,25 +80,25 @@ TEST(ReceiverGroup, WhatCanNotBeSharedIsTheFinders)
 {
   const Scene scene(rooms::litRoom(0.5));
   ReceiverGroup group = row(scene);
-  float shares[capacity];
+  auto sum = [](const ReceiverGroup::Shares& s) { return std::accumulate(s.share, s.share + capacity, 0.0f); };
   const Sensor far = at(scene, {3, 4, 5}, {0, 0, -1});
-  group.share(far, 1, true, &scene.rays(), shares);
-  EXPECT_EQ(shares[1], 1);
-  EXPECT_EQ(std::accumulate(shares, shares + capacity, 0.0f), 1);
+  ReceiverGroup::Shares found = group.share(far, 1, true, &scene.rays());
+  EXPECT_EQ(found.share[1], 1);
+  EXPECT_NEAR(found.kernel[1], kernel(scene, 1, far) / pi, 1e-9);
+  EXPECT_EQ(sum(found), 1);
 
   // 1 micrometre off the first receiver, which finds it by its own rays.
   const Sensor near = at(scene, {1, 2.0 + 1e-6, 1e-6}, normalized({0, -1, -1}));
-  group.share(near, 3, false, nullptr, shares);
-  EXPECT_EQ(shares[0], 0);
-  EXPECT_GT(shares[3], 0);
-  EXPECT_NEAR(std::accumulate(shares, shares + capacity, 0.0f), 1, 1e-6);
+  found = group.share(near, 3, false, nullptr);
+  EXPECT_EQ(found.share[0], 0);
+  EXPECT_GT(found.share[3], 0);
+  EXPECT_NEAR(sum(found), 1, 1e-6);
 
   group.add(15, at(scene, {2, 2, 1}, {0, 0, -1}));
-  group.share(far, 1, false, nullptr, shares);
-  EXPECT_EQ(shares[5], 0);
-  group.share(at(scene, {3, 4, 5}, {0, 0, 1}), 1, false, nullptr, shares);
-  EXPECT_EQ(shares[1], 1);
-  EXPECT_EQ(std::accumulate(shares, shares + capacity, 0.0f), 1);
+  EXPECT_EQ(group.share(far, 1, false, nullptr).share[5], 0);
+  found = group.share(at(scene, {3, 4, 5}, {0, 0, 1}), 1, false, nullptr);
+  EXPECT_EQ(found.share[1], 1);
+  EXPECT_EQ(sum(found), 1);
 }
 
 // Sixteen that follow each other on a grid are a square of four; who looks the other way follows later.

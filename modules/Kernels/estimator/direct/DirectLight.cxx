@@ -161,6 +161,7 @@ bool DirectLight::aim(const Sensor& sensor, SampleStream& random, AreaSample& sa
     share = weights.share(k);
   }
 
+  sample.luminaire = k;
   arriving = {};  // lx per band
   if (this->AreaOf[k] == noArea || (luminaires[k].isOpening() && !isNear(luminaires[k], sensor.position)))
   {
@@ -190,6 +191,7 @@ bool DirectLight::sampleUnshadowed(const Sensor& sensor, SampleStream& random, S
   if (!this->aim(sensor, random, aimed, sample.light, known))
     return false;
   sample.target = aimed.target;
+  sample.luminaire = aimed.luminaire;
   if (!sensor.brdf)
     return true;
   const Bands weight = response(sensor, aimed.direction, this->Scene_.bands());
@@ -210,20 +212,20 @@ Bands DirectLight::sample(const Sensor& sensor, SampleStream& random) const
   return result;
 }
 
-void DirectLight::sample(const Sensor* sensors, int count, SampleStream& random, Bands* light) const
+void DirectLight::sample(const Sensor* sensors, int count, SampleStream& random, Sample* samples) const
 {
   SegmentPacket packet;
   int lit[SegmentPacket::width], rays = 0;
   for (int i = 0; i < count; ++i)
   {
-    AreaSample sample;
     Bands unused{};
-    if (!this->aim(sensors[i], random, sample, light[i], unused))
+    samples[i].luminaire = 0;
+    if (!this->sampleUnshadowed(sensors[i], random, samples[i], unused))
     {
-      light[i] = {};
+      samples[i].light = {};
       continue;
     }
-    packet.set(rays, sensors[i].anchor, sample.target);
+    packet.set(rays, sensors[i].anchor, samples[i].target);
     lit[rays++] = i;
   }
   if (!this->Shadows || rays == 0)
@@ -231,7 +233,7 @@ void DirectLight::sample(const Sensor* sensors, int count, SampleStream& random,
   const std::uint32_t hidden = this->Scene_.rays().occluded(packet, rays);
   for (int k = 0; k < rays; ++k)
     if (hidden >> k & 1)
-      light[lit[k]] = {};
+      samples[lit[k]].light = {};
 }
 
 void DirectLight::sampleLobe(const Sensor& sensor, SampleStream& random, const LuminaireWeights& weights,

@@ -51,14 +51,15 @@ public:
   struct Sample
   {
     RayAnchor target;
-    Bands light;  ///< lx per band, weighted by the sensor's response
+    Bands light;            ///< lx per band, weighted by the sensor's response
+    std::size_t luminaire;  ///< that was drawn
   };
   /// The same without the shadow ray; the lobe's sample traces its own shadow rays and is added to `known`.
   bool sampleUnshadowed(const Sensor& sensor, SampleStream& random, Sample& sample, Bands& known) const;
 
-  /// The same at `count` <= SegmentPacket::width sensors without BRDF, their shadow rays in one packet, in single
-  /// precision: for sensors that are seen from so far that a narrow gap does not matter.
-  void sample(const Sensor* sensors, int count, SampleStream& random, Bands* light) const;
+  /// Samples at `count` <= SegmentPacket::width sensors without BRDF, their shadow rays in one packet, in single
+  /// precision: for sensors that are seen from so far that a narrow gap does not matter. No light where it is hidden.
+  void sample(const Sensor* sensors, int count, SampleStream& random, Sample* samples) const;
 
   /// Adds throughput times the exitance of every luminous rectangle that a ray from a mirror passes through before it
   /// ends at y.

@@ -13,6 +13,7 @@ struct AreaSample
 {
   Vec3 direction;
   RayAnchor target;
+  std::size_t luminaire = 0;
   double solidAngle;  ///< sr, of the emitter; or what stands for it, one over the direction's density
 };
 

@@ -12,6 +12,7 @@ constexpr int keptForBalance = 16;  // without vertices, one of so many trajecto
 
 GatherContext::GatherContext(const Scene& scene, const Emission& emission, const Settings& settings, bool shadows)
     : Scene_(scene),
+      Source(emission),
       Density(scene, emission, settings.walks()),
       Shadows(shadows),
       EveryPair(!settings.uses(Technique::Picked)),
@@ -53,26 +54,18 @@ double GatherContext::startShare(int trajectories, int blockSize) const
   return 1 / (trajectories * std::min(1.0, blockSize / (this->Density.starts() * trajectories)));
 }
 
-Bands GatherContext::luminaireLight(const Sensor& sensor, SampleStream& random) const
+void GatherContext::luminaireLight(const Sensor* sensors, int count, bool afar, SampleStream& random,
+                                   DirectLight::Sample* samples) const
 {
-  Bands light = this->Luminaires.sample(sensor, random);
-  this->addMirrored(sensor, light);
-  return light;
-}
-
-void GatherContext::luminaireLight(const Sensor* sensors, int count, SampleStream& random, Bands* light) const
-{
-  this->Luminaires.sample(sensors, count, random, light);
+  if (afar)
+    return this->Luminaires.sample(sensors, count, random, samples);
   for (int i = 0; i < count; ++i)
-    this->addMirrored(sensors[i], light[i]);
-}
-
-void GatherContext::addMirrored(const Sensor& sensor, Bands& light) const
-{
-  if (!this->Mirrored.any())
-    return;
-  const Bands images = this->Mirrored.illuminance(sensor);
-  for (int b = 0; b < this->Scene_.bands(); ++b)
-    light[b] += images[b];
+  {
+    Bands unused{};
+    samples[i].luminaire = 0;
+    if (!this->Luminaires.sampleUnshadowed(sensors[i], random, samples[i], unused) ||
+        (this->Shadows && this->Scene_.rays().occluded(sensors[i].anchor, samples[i].target)))
+      samples[i].light = {};
+  }
 }
 }  // namespace kalos

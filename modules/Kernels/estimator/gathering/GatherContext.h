@@ -31,6 +31,7 @@ public:
   bool shadows() const { return this->Shadows; }
   /// Whether one vertex of a block is picked for the shadow ray, instead of all.
   bool picksVertices() const { return this->Shadows && !this->EveryPair; }
+  bool shadowsEveryPair() const { return this->EveryPair; }
 
   /// Turns vertices off: longer paths find all light (estimator/methods/StrategyTrial.h). With `nextEvents` the starts
   /// of trajectories on emitting meshes still score where paths go: next event estimation.
@@ -53,16 +54,22 @@ public:
   /// The same beside a block of starts on emitting meshes; infinite unless usesStarts().
   double startShare(int trajectories, int blockSize) const;
 
-  /// All light from luminaires at a sensor: direct, with one shadow ray, and by mirrors.
-  Bands luminaireLight(const Sensor& sensor, SampleStream& random) const;
+  /// Densities that MIS weights are formed with, per m2 and trajectory: of light vertices about a sensor, by the pilot,
+  /// and of those that have the direct light of a luminaire. The pilot misses the bright spots of weak luminaires.
+  double vertexDensity(const Sensor& at) const { return this->Density.density(at.position); }
+  double firstHitDensity(const Sensor& at, std::size_t luminaire) const
+  {
+    return this->Source.firstHitDensity(luminaire, at.position, at.normal);
+  }
 
-  /// The same at up to SegmentPacket::width sensors without BRDF that are seen from afar: see DirectLight.
-  void luminaireLight(const Sensor* sensors, int count, SampleStream& random, Bands* light) const;
+  /// The direct light of one luminaire that is drawn at each of up to SegmentPacket::width sensors without BRDF, with
+  /// one shadow ray. In single precision where `afar`: see DirectLight.
+  void luminaireLight(const Sensor* sensors, int count, bool afar, SampleStream& random,
+                      DirectLight::Sample* samples) const;
 
 private:
-  void addMirrored(const Sensor& sensor, Bands& light) const;
-
   const Scene& Scene_;
+  const Emission& Source;
   VertexDensity Density;
   bool Shadows, EveryPair, PathsOnly = false, Starts = true;
   DirectLight Luminaires;

@@ -96,6 +96,12 @@ int GatherPlan::raysOfEach(const ReceiverGroup& group, int rays) const
   return rays * this->groupSize() / size;
 }
 
+double GatherPlan::raysPerTrajectory(const ReceiverGroup& group, const GatherRound& round) const
+{
+  constexpr double worth = 4;  // as in BiasCompensation
+  return worth * group.size() * this->raysOfEach(group, round.rays) / round.pool.trajectories;
+}
+
 AuditLine GatherPlan::audit() const
 {
   if (this->sharesRays())

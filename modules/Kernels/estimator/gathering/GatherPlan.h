@@ -57,6 +57,9 @@ public:
   /// in total.
   int raysOfEach(const ReceiverGroup& group, int rays) const;
 
+  /// Gather rays of a group per trajectory, as they count in the MIS weights against vertices.
+  double raysPerTrajectory(const ReceiverGroup& group, const GatherRound& round) const;
+
   AuditLine audit() const;
 
 private:

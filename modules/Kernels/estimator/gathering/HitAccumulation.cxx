@@ -10,28 +10,19 @@ namespace
 constexpr int width = SegmentPacket::width;
 }
 
-void HitAccumulation::lightByLuminaires(const SurfaceHit* hits, const Sensor* at, int count, SampleStream& random,
-                                        Bands* light) const
-{
-  // Packet rays start at an offset above the surface. Where a hit is too near for that offset, use single rays.
-  if (std::none_of(hits, hits + count, [](const SurfaceHit& hit) { return hit.near; }))
-    return this->Rays.luminaireLight(at, count, random, light);
-  for (int i = 0; i < count; ++i)
-    light[i] = this->Rays.luminaireLight(at[i], random);
-}
-
 void HitAccumulation::add(std::size_t tile, const GatherHits& gathered, const CellShading& cells, Tally& tally,
                           InterpolationCheck::Sums& sums) const
 {
   const GatherRound& round = cells.round();
   const std::uint64_t seed = mixBits(round.seed + tile + 1);
   InterpolationProbes probes(this->Rays, cells, sums);
-  Bands luminaires[width];  // of up to 16 hits, possibly of different receivers
+  DirectLight::Sample luminaires[width];  // of up to 16 hits, possibly of different receivers
   Sensor at[width];
   std::size_t i = 0, g = 0;
   for (const ReceiverGroup& group : this->Plan.groups(tile, tally))
   {
     GroupLight found;
+    found.rays = this->Plan.raysPerTrajectory(group, round);
     for (const std::size_t end = gathered.ends[g++]; i < end; ++i)
     {
       const SurfaceHit& hit = gathered.hits[i];
@@ -43,9 +34,11 @@ void HitAccumulation::add(std::size_t tile, const GatherHits& gathered, const Ce
         const int count = static_cast<int>(std::min<std::size_t>(width, gathered.hits.size() - i));
         for (int k = 0; k < count; ++k)
           at[k] = sensorAt(this->Rays.scene(), (&hit)[k]);
-        this->lightByLuminaires(&hit, at, count, random, luminaires);
+        const bool afar = std::none_of(&hit, &hit + count, [](const SurfaceHit& h) { return h.near; });
+        this->Rays.luminaireLight(at, count, afar, random, luminaires);
       }
-      probes.note(hit, this->addHit(hit, at[i % width], luminaires[i % width], cells.indirect(hit), group, found));
+      const HitLight light = this->lightOf(hit, at[i % width], luminaires[i % width], cells.indirect(hit));
+      probes.note(hit, this->addHit(hit, at[i % width], light, group, found));
     }
     sums.sum += found.all;
     sums.rays += static_cast<double>(group.size()) * this->Plan.raysOfEach(group, round.rays);
@@ -54,40 +47,66 @@ void HitAccumulation::add(std::size_t tile, const GatherHits& gathered, const Ce
   probes.finish();
 }
 
-// Returns the sum of all receivers' MIS weights for the hit.
-double HitAccumulation::addHit(const SurfaceHit& hit, const Sensor& at, const Bands& luminaires, const double* indirect,
+HitAccumulation::HitLight HitAccumulation::lightOf(const SurfaceHit& hit, const Sensor& at,
+                                                   const DirectLight::Sample& luminaires, const double* indirect) const
+{
+  const Scene& scene = this->Rays.scene();
+  const Material& material = scene.material(hit.side / 2);
+  const bool lit = luminaires.light[0] > 0;
+  HitLight light;
+  if (this->Spots.any())
+  {
+    const double density = this->Rays.vertexDensity(at);
+    light.split[0] = this->Spots.split(density);
+    if (hit.side & 1)
+      light.split[1] = this->Spots.split(this->Rays.pilot().startDensity(material));
+    if (lit)
+      light.split[2] = this->Spots.split(std::max(density, this->Rays.firstHitDensity(at, luminaires.luminaire)));
+    light.isSplit = light.split[0].isShared() || light.split[1].isShared() || light.split[2].isShared();
+  }
+  light.parts = light.isSplit && lit ? 3 : 2;
+  const Bands mirrored = this->Rays.mirrored().any() ? this->Rays.mirrored().illuminance(at) : Bands{};
+  for (int b = 0; b < scene.bands(); ++b)
+  {
+    light.part[0][b] = material.reflectance[b] * (indirect[b] + mirrored[b]);
+    light.part[1][b] = hit.side & 1 ? material.exitance[b] : 0;
+    light.part[light.parts == 3 ? 2 : 0][b] += material.reflectance[b] * luminaires.light[b];
+  }
+  for (int p = 0; p < light.parts; ++p)
+    light.luminous[p] = photometric(light.part[p], scene.bands());
+  return light;
+}
+
+// Returns the sum of all receivers' MIS weights for the indirect light of the hit.
+double HitAccumulation::addHit(const SurfaceHit& hit, const Sensor& at, const HitLight& light,
                                const ReceiverGroup& group, GroupLight& found) const
 {
   const Scene& scene = this->Rays.scene();
-  const int bands = scene.bands();
-  float shares[ReceiverGroup::capacity];
-  group.share(at, hit.finder, hit.near, this->Rays.shadows() ? &scene.rays() : nullptr, shares);
-  const Material& material = scene.material(hit.side / 2);
-  Bands reflected, emitted;
-  for (int b = 0; b < bands; ++b)
-  {
-    emitted[b] = hit.side & 1 ? material.exitance[b] : 0;
-    reflected[b] = material.reflectance[b] * (luminaires[b] + indirect[b]);
-  }
-  const double luminous[2] = {photometric(reflected, bands), photometric(emitted, bands)};
+  const ReceiverGroup::Shares shares =
+      group.share(at, hit.finder, hit.near, this->Rays.shadows() ? &scene.rays() : nullptr);
   double taken = 0;
   for (int k = 0; k < group.size(); ++k)
   {
-    const double share = shares[k];
+    const auto share = static_cast<double>(shares.share[k]);
     if (share == 0)
       continue;
-    const bool exactMeshes = this->Direct.exactMeshes(group.receiver(k));
-    taken += share;
-    for (int b = 0; b < bands; ++b)
+    double weight[HitLight::mostParts] = {share, share, share}, all = 0;
+    for (int p = 0; light.isSplit && p < light.parts; ++p)
+      weight[p] *= light.split[p].gathered(static_cast<double>(shares.kernel[k]), found.rays);
+    if (this->Direct.exactMeshes(group.receiver(k)))
+      weight[1] = 0;
+    for (int p = 0; p < light.parts; ++p)
     {
-      const double m = exactMeshes ? 0 : share * emitted[b];
-      found.emission[k][b] += m;
-      found.sum[k][b] += m + share * reflected[b];
+      all += weight[p] * light.luminous[p];
+      for (int b = 0; b < scene.bands(); ++b)
+        found.sum[k][b] += weight[p] * light.part[p][b];
     }
-    const double all = share * (luminous[0] + (exactMeshes ? 0 : luminous[1]));
+    for (int b = 0; b < scene.bands(); ++b)
+      found.emission[k][b] += weight[1] * light.part[1][b];
     found.largest[k] =
         all >= 0 ? std::max(found.largest[k], all) : std::numeric_limits<double>::quiet_NaN();  // a NaN stays
     found.all += all;
+    taken += weight[0];
   }
   return taken;
 }

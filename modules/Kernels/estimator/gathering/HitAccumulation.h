@@ -7,6 +7,7 @@
 #ifndef kalos_estimator_gathering_HitAccumulation_h
 #define kalos_estimator_gathering_HitAccumulation_h
 
+#include "estimator/gathering/BrightSpots.h"
 #include "estimator/gathering/GatherHitTracer.h"
 #include "estimator/gathering/InterpolationCheck.h"
 
@@ -16,8 +17,9 @@ class HitAccumulation
 {
 public:
   /// All must outlive this.
-  HitAccumulation(const GatherContext& gathering, const ReceiverDirectLight& direct, const GatherPlan& plan)
-      : Rays(gathering), Direct(direct), Plan(plan)
+  HitAccumulation(const GatherContext& gathering, const ReceiverDirectLight& direct, const GatherPlan& plan,
+                  const BrightSpots& spots)
+      : Rays(gathering), Direct(direct), Plan(plan), Spots(spots)
   {
   }
 
@@ -29,18 +31,32 @@ private:
   // What the receivers of a group have found.
   struct GroupLight
   {
+    double rays;  // of the group per trajectory, as they count for G*
     Bands sum[ReceiverGroup::capacity] = {}, emission[ReceiverGroup::capacity] = {};
     double largest[ReceiverGroup::capacity] = {};  // luminous
     double all = 0;                                // luminous, of all receivers
   };
-  void lightByLuminaires(const SurfaceHit* hits, const Sensor* at, int count, SampleStream& random, Bands* light) const;
-  double addHit(const SurfaceHit& hit, const Sensor& at, const Bands& luminaires, const double* indirect,
-                const ReceiverGroup& group, GroupLight& found) const;
+  // The light that leaves a hit, lx per band: reflected, emitted and, where it is split in another way than what is
+  // reflected of other light, that of luminaires.
+  struct HitLight
+  {
+    static constexpr int mostParts = 3;
+    int parts = 2;
+    bool isSplit = false;  // between gather rays and vertices
+    Bands part[mostParts] = {};
+    BrightSpots::Split split[mostParts];
+    double luminous[mostParts];
+  };
+  HitLight lightOf(const SurfaceHit& hit, const Sensor& at, const DirectLight::Sample& luminaires,
+                   const double* indirect) const;
+  double addHit(const SurfaceHit& hit, const Sensor& at, const HitLight& light, const ReceiverGroup& group,
+                GroupLight& found) const;
   void store(const ReceiverGroup& group, const GroupLight& found, const GatherRound& round, Tally& tally) const;
 
   const GatherContext& Rays;
   const ReceiverDirectLight& Direct;
   const GatherPlan& Plan;
+  const BrightSpots& Spots;
 };
 }  // namespace kalos
 

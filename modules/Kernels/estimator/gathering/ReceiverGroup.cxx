@@ -11,16 +11,27 @@ void ReceiverGroup::add(std::size_t receiver, const Sensor& sensor)
 {
   const int k = this->Count++;
   this->Receiver[k] = receiver;
+  this->Position[k] = sensor.position;
+  this->Normal[k] = sensor.normal;
   this->At.set(k, sensor.anchor);
   this->Near[k] = static_cast<float>(squaredNearness(sensor.anchor));
 }
 
-void ReceiverGroup::share(const Sensor& y, int finder, bool near, const RayScene* rays, float* shares) const
+ReceiverGroup::Shares ReceiverGroup::onlyFinder(const Sensor& y, int finder) const
 {
-  std::fill_n(shares, capacity, 0.0f);
-  shares[finder] = 1;
+  const Vec3 d = y.position - this->Position[finder];
+  const double squared = dot(d, d),
+               product = std::max(0.0, dot(d, this->Normal[finder])) * std::max(0.0, -dot(d, y.normal));
+  Shares shares;
+  shares.share[finder] = 1;
+  shares.kernel[finder] = static_cast<float>(product / (pi * squared * squared));
+  return shares;
+}
+
+ReceiverGroup::Shares ReceiverGroup::share(const Sensor& y, int finder, bool near, const RayScene* rays) const
+{
   if (near || this->Count == 1)
-    return;
+    return this->onlyFinder(y, finder);
   alignas(64) float g[capacity];
   const auto px = static_cast<float>(y.position.x), py = static_cast<float>(y.position.y),
              pz = static_cast<float>(y.position.z), nx = static_cast<float>(y.normal.x),
@@ -35,7 +46,7 @@ void ReceiverGroup::share(const Sensor& y, int finder, bool near, const RayScene
     g[k] = sees ? here * there / (squared * squared) : 0;
   }
   if (!(g[finder] > 0))
-    return;
+    return this->onlyFinder(y, finder);
   std::uint32_t hidden = 0;
   int lane[capacity], count = 0;
   SegmentPacket all, packet;
@@ -52,9 +63,17 @@ void ReceiverGroup::share(const Sensor& y, int finder, bool near, const RayScene
   for (int i = 0; i < count; ++i)
     if (!(hidden >> i & 1))
       sum += g[lane[i]];
+  constexpr auto perPi = static_cast<float>(1 / pi);
+  Shares shares;
+  auto take = [&](int k) {
+    shares.share[k] = g[k] / sum;
+    shares.kernel[k] = g[k] * perPi;
+  };
   for (int i = 0; i < count; ++i)
-    shares[lane[i]] = hidden >> i & 1 ? 0 : g[lane[i]] / sum;
-  shares[finder] = g[finder] / sum;
+    if (!(hidden >> i & 1))
+      take(lane[i]);
+  take(finder);
+  return shares;
 }
 
 namespace

@@ -28,13 +28,20 @@ public:
   /// Adds a receiver without BRDF.
   void add(std::size_t receiver, const Sensor& sensor);
 
-  /// Each receiver's MIS weight for the light from the surface at y, hit by a ray of receiver `finder`;
-  /// `rays` null: nothing can occlude. `near`: to the finder. `shares` has `capacity` elements, 0 beyond size().
-  void share(const Sensor& y, int finder, bool near, const RayScene* rays, float* shares) const;
+  /// Each receiver's MIS weight for the light from the surface at y, hit by a ray of receiver `finder`, and its kernel
+  /// G (1/m2), which is 0 where the weight is; `rays` null: nothing can occlude. `near`: to the finder.
+  struct Shares
+  {
+    float share[capacity] = {}, kernel[capacity] = {};
+  };
+  Shares share(const Sensor& y, int finder, bool near, const RayScene* rays) const;
 
 private:
   int Count = 0;
+  Shares onlyFinder(const Sensor& y, int finder) const;
+
   std::size_t Receiver[capacity];
+  Vec3 Position[capacity], Normal[capacity];
   AnchorPacket At = {};                   // a normal of 0, which sees nothing, of none
   alignas(64) float Near[capacity] = {};  // m2, see squaredNearness()
 };

@@ -158,7 +158,7 @@ bool WavefrontGather::advance(std::size_t i, const SurfacePoint& y)
   next.anchor.crowded = crowds(path.at.anchor, squared);
   path.doublePrecision = !isFarFrom(next.anchor, squared);
   path.at = next;
-  this->addLuminaires(i);
+  this->addLuminaires(i, ratio);
   this->addVertices(i, rayBlock);
   // Add point luminaires seen by mirrors only where no vertex scores; elsewhere vertices include that light.
   if (whole && this->Rays.mirrored().any())
@@ -204,13 +204,23 @@ bool WavefrontGather::survives(PathState& path) const
   return true;
 }
 
-void WavefrontGather::addLuminaires(std::size_t i)
+void WavefrontGather::addLuminaires(std::size_t i, double ratio)
 {
   PathState& path = this->Paths[i];
   DirectLight::Sample sample;
   Bands known{};
   if (this->Rays.luminaires().sampleUnshadowed(path.at, path.random, sample, known))
+  {
+    // The throughput has the MIS weight for the pilot's density of vertices; those of the luminaire may be denser.
+    if (!path.at.brdf && !std::isinf(ratio))
+    {
+      const double more = this->Rays.firstHitDensity(path.at, sample.luminaire) / this->Rays.vertexDensity(path.at);
+      const double share = more > 1 ? gatheredShare(ratio / more) / gatheredShare(ratio) : 1;
+      for (std::size_t b = 0; b < this->Count; ++b)
+        sample.light[b] *= share;
+    }
     this->addIfSeen(i, sample.target, sample.light);
+  }
   if (path.at.brdf)
     this->addWeighted(i, known);
 }

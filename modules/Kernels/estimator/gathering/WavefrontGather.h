@@ -81,7 +81,8 @@ private:
   bool advance(std::size_t i, const SurfacePoint& y);
   void addEmission(std::size_t i, const SurfacePoint& y, double kernel);
   bool survives(PathState& path) const;
-  void addLuminaires(std::size_t i);
+  // `ratio`: G/G* of the segment that led to the sensor.
+  void addLuminaires(std::size_t i, double ratio);
   void addVertices(std::size_t i, int blockSize);
   void addBlock(std::size_t i, const VertexSet& set, int blockSize, double share);
   void addRun(std::size_t i, const VertexSet& set, std::size_t begin, std::size_t count, double share, double weight);

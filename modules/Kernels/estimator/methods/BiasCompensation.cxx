@@ -7,17 +7,13 @@
 #include <numeric>
 #include <sstream>
 
-#include "estimator/kernel/VertexResampling.h"
+#include "estimator/gathering/VertexScores.h"
 #include "estimator/tracing/VertexRound.h"
 
 namespace kalos
 {
 namespace
 {
-// Scoring a pair costs next to nothing, a shadow ray about as much as forty pairs: of 8, 16, 24, 32 and 64 this gave
-// the least variance per second on a plane and on the floor of a furnished room.
-constexpr int verticesPerPick = 16;
-
 // At right angles, where no surface in front is nearer than this fraction of the square root of the scene's area,
 // vertices without gather rays had no more variance: in a closet, an office, a hall with furniture and a dark room
 // behind a door.
@@ -53,7 +49,6 @@ BiasCompensation::BiasCompensation(const Scene& scene, const Emission& emission,
     : Scene_(scene),
       Source(emission),
       Settings_(settings),
-      Shadows(shadows),
       ReceiverCount(receivers),
       Rays(scene, emission, settings, shadows),
       Clearance(!settings.uses(Technique::Near) || !isDiffuse(scene) ? std::numeric_limits<double>::infinity()
@@ -108,7 +103,9 @@ void BiasCompensation::score(const std::vector<Sensor>& sensors, std::size_t beg
     if (tally.converged(r))
       continue;
     if (!this->Rays.pathsOnly())
-      this->scoreVertices(sensors[r], r, replicate, round, exactMeshes(r), tally);
+      addVertexScores(this->Rays, round.pools[replicate], sensors[r], this->balance(r, round), exactMeshes(r),
+                      receiverStream(this->Settings_.seed, replicate, Purpose::Selection, r, round.first), r, replicate,
+                      tally);
     this->sendRays(sensors[r], r, replicate, round, exactMeshes(r), gathered);
   }
   gathered.finish();
@@ -119,36 +116,6 @@ void BiasCompensation::finish(const Round& round, const Tally& tally)
   for (std::size_t r = 0; r < this->RaysDone.size(); ++r)
     this->RaysDone[r] += tally.converged(r) ? 0 : this->rays(r, round);
   this->TrajectoriesDone += round.count;
-}
-
-void BiasCompensation::scoreVertices(const Sensor& sensor, std::size_t r, int replicate, const Round& round,
-                                     bool exactMeshes, Tally& tally) const
-{
-  const double share = this->balance(r, round);
-  RandomStream random = receiverStream(this->Settings_.seed, replicate, Purpose::Selection, r, round.first);
-  const RayScene* rays = this->Shadows ? &this->Scene_.rays() : nullptr;
-  auto score = [&](const VertexSet& set, double* sum) {
-    for (std::size_t begin = 0; begin < set.size(); begin += VertexTile::capacity)
-    {
-      const auto count = static_cast<int>(std::min<std::size_t>(VertexTile::capacity, set.size() - begin));
-      const int picks = this->Settings_.uses(Technique::Picked) ? (count + verticesPerPick - 1) / verticesPerPick : 0;
-      const ShadowPicks shadows{rays, picks, random.next()};
-      tally.noteScore(r, replicate, addResampledScores(set, begin, count, sensor, share, shadows, sum));
-    }
-  };
-  const LightVertices& pool = round.pools[replicate];
-  double* total = tally.total(r, replicate);
-  score(pool.reflected, total);
-  score(pool.glossy, total);
-  if (exactMeshes)
-    return;
-  Bands emitted{};
-  score(pool.emitted, emitted.data());
-  for (int b = 0; b < tally.bands(); ++b)
-  {
-    total[b] += emitted[b];
-    tally.direct(r, replicate)[b] += emitted[b];
-  }
 }
 
 void BiasCompensation::sendRays(const Sensor& sensor, std::size_t r, int replicate, const Round& round,

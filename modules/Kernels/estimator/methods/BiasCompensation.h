@@ -73,15 +73,12 @@ private:
   bool needsRays(const Sensor& sensor) const;
   int rays(std::size_t r, const Round& round) const { return this->Gathers[r] ? round.rays : 0; }
   double balance(std::size_t r, const Round& round) const;  // gather rays per trajectory, as they count for G*
-  void scoreVertices(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
-                     Tally& tally) const;
   void sendRays(const Sensor& sensor, std::size_t r, int replicate, const Round& round, bool exactMeshes,
                 ReceiverRays& gathered) const;
 
   const Scene& Scene_;
   const Emission& Source;
   Settings Settings_;
-  bool Shadows;
   std::size_t ReceiverCount;  // receivers of the whole solve; none where an image sees no surface
   GatherContext Rays;
   double Clearance;                 // m; sensors that are clear at this distance need no gather rays

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/methods/FinalGathering.h"
 
+#include "estimator/gathering/VertexScores.h"
 #include "estimator/methods/StrategyTrial.h"
+#include "estimator/tracing/VertexRound.h"
 
 namespace kalos
 {
@@ -21,8 +23,8 @@ FinalGathering::FinalGathering(const Scene& scene, const Receivers& receivers, c
       Rays(scene, this->Source, settings, this->Direct.shadows()),
       Plan(scene, this->Direct.sensors(), settings),
       Tracer(this->Rays, this->Direct, this->Plan, settings),
-      Accumulation(this->Rays, this->Direct, this->Plan),
-      Spots(scene, receivers.points.size())
+      Spots(this->Rays),
+      Accumulation(this->Rays, this->Direct, this->Plan, this->Spots)
 {
 }
 
@@ -32,20 +34,17 @@ bool FinalGathering::prepare(Workers& workers, Tally& tally)
   this->Check.reset(tileCount(tally.receivers()), tally.replicates());
   if (!this->Direct.prepare(workers, tally))
     return false;
-  if (this->Direct.complete() || !pathsAreBetter(this->Scene_, this->Source, this->Settings_, this->Direct))
+  if (this->Direct.complete())
     return true;
+  if (!pathsAreBetter(this->Scene_, this->Source, this->Settings_, this->Direct))
+  {
+    this->Spots.prepare(this->Direct.sensors());
+    return true;
+  }
   this->Rays.usePathsOnly();
   this->Plan.leaveToPaths();
   this->Direct.leaveMeshesToRays();
   return this->Direct.prepare(workers, tally);
-}
-
-bool FinalGathering::trusts(std::size_t receiver, long long trajectories) const
-{
-  const double rays = static_cast<double>(trajectories) / this->Plan.trajectoriesPerRay() * this->Plan.groupSize();
-  return this->Direct.hasAllImages() &&
-         (this->Direct.complete() ||
-          this->Spots.areSeen(this->Direct.sensors()[receiver], rays, this->Direct.illuminance(receiver)));
 }
 
 Pace FinalGathering::pace() const
@@ -116,10 +115,16 @@ bool FinalGathering::addReplicates(Workers::Replicates some, std::vector<CellSha
   nextPhase();
   going = going && workers.forEachReplicate(some, parts, [&](int p, std::size_t part) { round[p].shade(part); });
 
-  // Light the receivers by the hits.
+  // Light the receivers by the hits, and by the vertices of bright spots.
   nextPhase();
+  std::vector<LightVertices> spots(static_cast<std::size_t>(some.last - some.first));
+  going = going && workers.forEachReplicate(some, 1, [&](int p, std::size_t) {
+    spots[static_cast<std::size_t>(p - some.first)] = this->Spots.select(
+        *round[p].round().pool.vertices, 0x1.0p-64 * static_cast<double>(mixBits(round[p].round().seed)));
+  });
   going = going && workers.forEachReplicate(some, tiles, [&](int p, std::size_t tile) {
     this->Accumulation.add(tile, hitsOf(tile, p), round[p], tally, this->Check.of(tile, p));
+    this->scoreSpots(tile, spots[static_cast<std::size_t>(p - some.first)], first, round[p].round(), tally);
     const std::size_t end = std::min(tally.receivers(), (tile + 1) * tileSize);
     for (std::size_t r = tile * tileSize; r < end; ++r)
       this->Direct.score(r, p, first, round[p].round().pool.trajectories, tally);
@@ -127,6 +132,24 @@ bool FinalGathering::addReplicates(Workers::Replicates some, std::vector<CellSha
   for (int p = some.first; p < some.last; ++p)
     round[p].clear();
   return going;
+}
+
+void FinalGathering::scoreSpots(std::size_t tile, const LightVertices& spots, long long first, const GatherRound& round,
+                                Tally& tally) const
+{
+  if (spots.reflected.size() + spots.emitted.size() == 0)
+    return;
+  for (const ReceiverGroup& group : this->Plan.groups(tile, tally))
+  {
+    const double rays = this->Plan.raysPerTrajectory(group, round);
+    for (int k = 0; k < group.size(); ++k)
+    {
+      const std::size_t r = group.receiver(k);
+      addVertexScores(this->Rays, spots, this->Direct.sensors()[r], rays, this->Direct.exactMeshes(r),
+                      receiverStream(this->Settings_.seed, round.replicate, Purpose::Selection, r, first), r,
+                      round.replicate, tally);
+    }
+  }
 }
 
 void FinalGathering::persist(Archive& archive)

@@ -18,7 +18,6 @@
 
 #include "estimator/gathering/HitAccumulation.h"
 #include "estimator/methods/Estimator.h"
-#include "estimator/tally/HotSpots.h"
 
 namespace kalos
 {
@@ -30,7 +29,10 @@ public:
   bool prepare(Workers& workers, Tally& tally) override;
   bool addRound(long long first, int count, Workers& workers, Tally& tally) override;
   bool skipsConverged() const override { return true; }
-  bool trusts(std::size_t receiver, long long trajectories) const override;
+  bool trusts(std::size_t /*receiver*/, long long /*trajectories*/) const override
+  {
+    return this->Direct.hasAllImages();
+  }
   int replicates(long long trajectories) const override { return fewReplicates(trajectories); }
   Pace pace() const override;
   void exchange(const Ranks& ranks) override { this->Check.exchange(ranks); }
@@ -41,6 +43,9 @@ private:
   bool addReplicates(Workers::Replicates some, std::vector<CellShading>& round, long long first,
                      const std::function<void()>& nextPhase, Workers& workers, Tally& tally);
 
+  void scoreSpots(std::size_t tile, const LightVertices& spots, long long first, const GatherRound& round,
+                  Tally& tally) const;
+
   const Scene& Scene_;
   Settings Settings_;
   Emission Source;
@@ -48,8 +53,8 @@ private:
   GatherContext Rays;
   GatherPlan Plan;
   GatherHitTracer Tracer;
+  BrightSpots Spots;
   HitAccumulation Accumulation;
-  HotSpots Spots;
   InterpolationCheck Check;
   long long RaysDone = 0;  // of each receiver of a whole group in each replicate
   int Replicates = 0;

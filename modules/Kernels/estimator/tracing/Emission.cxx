@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/tracing/Emission.h"
 
+#include "geometry/Polygon.h"
 #include "sampling/Warp.h"
 
 namespace kalos
@@ -24,6 +25,31 @@ Emission::Emission(const Scene& scene) : Scene_(scene)
   }
 }
 
+double Emission::probability(std::size_t i) const
+{
+  return (this->Cumulative[i] - (i ? this->Cumulative[i - 1] : 0)) / this->TotalFlux;
+}
+
+double Emission::firstHitDensity(std::size_t i, const Vec3& p, const Vec3& n) const
+{
+  const Luminaire& l = this->Scene_.data().luminaires[i];
+  const Vec3 d = p - l.position;
+  double share = 0;  // of the luminaire's flux, 1/m2
+  if (l.isPoint() || (l.isOpening() && !isNear(l, p)))
+  {
+    const double squared = dot(d, d), cosine = -dot(d, n);
+    share =
+        cosine > 0 ? intensity(l, (1 / std::sqrt(squared)) * d) / l.flux * cosine / (squared * std::sqrt(squared)) : 0;
+  }
+  else if (!l.isOneSided() || dot(d, l.axis) > 0)
+  {
+    const Vec3 u = 0.5 * l.sideU, v = 0.5 * l.sideV, c = l.position;
+    const Vec3 corners[4] = {c - u - v, c + u - v, c + u + v, c - u + v};
+    share = polygonFormFactor(p, n, corners, 4) / length(cross(l.sideU, l.sideV));
+  }
+  return this->probability(i) * share;
+}
+
 EmissionSample Emission::sample(SampleStream& random) const
 {
   const double target = random.next() * this->TotalFlux;
@@ -41,6 +67,7 @@ EmissionSample Emission::fromLuminaire(std::size_t i, double u, SampleStream& ra
 {
   const Luminaire& luminaire = this->Scene_.data().luminaires[i];
   EmissionSample start;
+  start.emitter = i;
   start.fromPoint = luminaire.isPoint();
   start.anchor = this->Scene_.luminaireAnchor(i);  // a lamp mounted flush with a ceiling shines into the room
   start.weight = uniformBands(this->TotalFlux);

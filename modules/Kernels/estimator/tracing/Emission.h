@@ -16,6 +16,7 @@ struct EmissionSample
   Vec3 direction;
   bool fromPoint = false;      ///< from a point luminaire
   bool onSurface = false;      ///< from a mesh (else from a luminaire, which has no body)
+  std::size_t emitter = 0;     ///< the luminaire, when not onSurface
   std::uint32_t triangle = 0;  ///< of the mesh, when onSurface
   double density = 0;          ///< starts per m2 and trajectory about the position, on a mesh
   Bands weight;                ///< flux per band, lm, if this were the only trajectory
@@ -27,6 +28,13 @@ public:
   explicit Emission(const Scene& scene);
 
   double totalFlux() const { return this->TotalFlux; }  ///< lm, photometric
+
+  /// The share of the trajectories that start at an emitter: the luminaires, then the emitting triangles.
+  double probability(std::size_t emitter) const;
+
+  /// First hits of trajectories of a luminaire about a point p with normal n, per m2 and trajectory, if nothing hides
+  /// the luminaire.
+  double firstHitDensity(std::size_t luminaire, const Vec3& p, const Vec3& n) const;
 
   /// Draws an emitter, a point on it and a direction; every sample carries the whole photometric flux.
   EmissionSample sample(SampleStream& random) const;

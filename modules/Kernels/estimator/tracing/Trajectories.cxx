@@ -26,7 +26,8 @@ void noteStart(const Scene& scene, std::size_t surface, const SurfacePoint& met,
 }
 
 // Walks one trajectory. `onStart(sample)`, `onSegment(from, direction, point, weight, first, byMirrors)` and
-// `onCollision(point, towardsLight, weight)` are called at each event. Adds the energy balance to `energy`.
+// `onCollision(point, towardsLight, weight, caustic, straight)` are called at each event. Adds the energy balance to
+// `energy`.
 template <class OnStart, class OnSegment, class OnCollision>
 void walk(const Scene& scene, const Emission& emission, SampleStream random, EnergySums& energy, OnStart onStart,
           OnSegment onSegment, OnCollision onCollision)
@@ -54,7 +55,7 @@ void walk(const Scene& scene, const Emission& emission, SampleStream random, Ene
         energy.lastSeen(last) += 1;
       return;
     }
-    onCollision(point, -direction, weight, fromPoint && !first);
+    onCollision(point, -direction, weight, fromPoint && !first, first && !start.onSurface);
 
     // Russian roulette: absorbed with the probability of the luminous absorptance, else reflected.
     const Brdf& brdf = scene.brdf(point.triangle);
@@ -79,7 +80,9 @@ LightVertices traceTrajectories(const Scene& scene, const Emission& emission, co
                                 long long first, int count)
 {
   LightVertices pool(scene.bands(), scene.surfaces());
-  auto keep = [&](const SurfacePoint& point, const Vec3& towardsLight, const Bands& weight, bool caustic) {
+  std::size_t emitter = 0;  // of the trajectory
+  auto keep = [&](const SurfacePoint& point, const Vec3& towardsLight, const Bands& weight, bool caustic,
+                  bool straight) {
     const Material& material = scene.material(point.triangle);
     const double inverse = caustic ? 0 : -1;
     if (material.specular > 0)
@@ -88,7 +91,8 @@ LightVertices traceTrajectories(const Scene& scene, const Emission& emission, co
     for (int b = 0; b < scene.bands(); ++b)
       reflected[b] = material.reflectance[b] * weight[b];
     if (photometric(reflected, scene.bands()) > 0)  // a mirror's vertex scores nothing
-      pool.reflected.add(scene.anchor(point), reflected, inverse);
+      pool.reflected.add(scene.anchor(point), reflected, inverse,
+                         straight ? emission.firstHitDensity(emitter, point.position, point.normal) : 0);
   };
   VisibilityCheck check(scene, pool.energy);
   for (long long i = first; i < first + count; ++i)
@@ -97,6 +101,7 @@ LightVertices traceTrajectories(const Scene& scene, const Emission& emission, co
     walk(
         scene, emission, walks.stream(replicate, Purpose::Trajectory, i), pool.energy,
         [&](const EmissionSample& start) {
+          emitter = start.emitter;
           if (!start.onSurface)
             return;
           pool.emitted.add(start.anchor, start.weight, 1 / start.density);

@@ -118,6 +118,10 @@ void VertexDensity::annotate(LightVertices& pool) const
   for (VertexSet* set : {&pool.reflected, &pool.glossy})
     for (std::size_t i = 0; i < set->size(); ++i)
       if (set->inverseDensity[i] < 0)
-        set->inverseDensity[i] = static_cast<float>(1 / this->density(set->position(i)));
+      {
+        const double density = this->density(set->position(i));
+        set->inverseDensity[i] =
+            static_cast<float>(1 / std::max(density, static_cast<double>(set->firstHitDensity[i])));
+      }
 }
 }  // namespace kalos

@@ -31,7 +31,7 @@ public:
   /// Density about the median vertex.
   double typical() const { return this->Typical; }
 
-  /// Notes the density at every vertex of a pool.
+  /// Notes the density at every vertex of a pool; for first hits of luminaires theirs, where it is larger.
   void annotate(LightVertices& pool) const;
 
 private:

@@ -22,6 +22,7 @@ void changeArrays(const Change& change, VertexSet& v, const Set&... others)
   change(v.lift, others.lift...);
   change(v.slope, others.slope...);
   change(v.inverseDensity, others.inverseDensity...);
+  change(v.firstHitDensity, others.firstHitDensity...);
   change(v.luminous, others.luminous...);
   for (std::size_t b = 0; b < v.flux.size(); ++b)
     change(v.flux[b], others.flux[b]...);
@@ -37,7 +38,7 @@ RayAnchor VertexSet::stored(const RayAnchor& at)
   return {each(at.point), each(at.normal), single(at.base), single(at.slope)};
 }
 
-void VertexSet::add(const RayAnchor& at, const Bands& m, double inverse)
+void VertexSet::add(const RayAnchor& at, const Bands& m, double inverse, double firstHits)
 {
   const Vec3 &p = at.point, &n = at.normal;
   this->px.push_back(static_cast<float>(p.x));
@@ -49,6 +50,7 @@ void VertexSet::add(const RayAnchor& at, const Bands& m, double inverse)
   this->lift.push_back(static_cast<float>(at.base));
   this->slope.push_back(static_cast<float>(at.slope));
   this->inverseDensity.push_back(static_cast<float>(inverse));
+  this->firstHitDensity.push_back(static_cast<float>(firstHits));
   const int bands = static_cast<int>(this->flux.size());
   this->luminous.push_back(static_cast<float>(photometric(m, bands)));
   for (int b = 0; b < bands; ++b)

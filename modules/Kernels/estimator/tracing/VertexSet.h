@@ -15,9 +15,10 @@ namespace kalos
 struct VertexSet
 {
   std::vector<float> px, py, pz, nx, ny, nz;
-  std::vector<float> lift, slope;     ///< of the anchor where shadow rays end
-  std::vector<float> inverseDensity;  ///< m2 and trajectories per vertex about here; < 0: to be noted, 0: scored whole
-  std::vector<float> luminous;        ///< lm, photometric total of the bands
+  std::vector<float> lift, slope;      ///< of the anchor where shadow rays end
+  std::vector<float> inverseDensity;   ///< m2 and trajectories per vertex about here; < 0: to be noted, 0: scored whole
+  std::vector<float> firstHitDensity;  ///< Emission::firstHitDensity() of its luminaire; 0: not a first hit of one
+  std::vector<float> luminous;         ///< lm, photometric total of the bands
   std::vector<std::vector<float>> flux;  ///< lm, one array per band
   std::vector<const Brdf*> brdf;         ///< of glossy vertices; empty in a Lambertian set
   std::vector<Vec3> incident;            ///< unit, towards where the light comes from; with brdf
@@ -38,7 +39,7 @@ struct VertexSet
   /// A key for random streams, from the bits of the position.
   long long key(std::size_t i) const;
 
-  void add(const RayAnchor& at, const Bands& fluxPerBand, double inverse = -1);
+  void add(const RayAnchor& at, const Bands& fluxPerBand, double inverse = -1, double firstHits = 0);
   void addGlossy(const Scene& scene, const SurfacePoint& point, const Vec3& towardsLight, const Bands& incidentFlux,
                  double inverse = -1);
   void append(const VertexSet& other);
