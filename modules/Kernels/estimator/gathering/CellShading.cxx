@@ -18,6 +18,7 @@ void CellShading::add(std::vector<SurfaceHit>& hits)
 
 void CellShading::reserve()
 {
+  this->Picked.resize(this->cells());
   this->Indirect.resize(this->cells() * static_cast<std::size_t>(this->Rays.scene().bands()));
 }
 
@@ -35,13 +36,17 @@ void CellShading::shade(std::size_t part)
     this->estimate(this->Grid.cells()[c].representative, wave);
   wave.run();
   for (std::size_t c = begin; c < end; ++c)
+  {
     std::copy_n(wave.light(c - begin), bands, &this->Indirect[c * bands]);
+    this->Picked[c] = wave.picks(c - begin);
+  }
 }
 
 void CellShading::clear()
 {
   this->Grid = {};
   this->Indirect = {};
+  this->Picked = {};
 }
 
 const double* CellShading::indirect(const SurfaceHit& hit) const

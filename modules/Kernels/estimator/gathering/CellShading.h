@@ -40,6 +40,9 @@ public:
   /// The indirect illuminance in the cell of a hit, lx per band.
   const double* indirect(const SurfaceHit& hit) const;
 
+  /// What picks of vertices for the cell of a hit have seen, lx.
+  const PickCount& picks(const SurfaceHit& hit) const { return this->Picked[hit.cell]; }
+
   /// Adds an estimate at the hit's own position to a wave.
   void estimate(const SurfaceHit& hit, WavefrontGather& wave) const;
 
@@ -47,7 +50,8 @@ private:
   const GatherContext& Rays;
   GatherRound Round;
   GatherHitGrid Grid;
-  std::vector<double> Indirect;  // lx, by cell and band
+  std::vector<double> Indirect;   // lx, by cell and band
+  std::vector<PickCount> Picked;  // by cell
 };
 
 /// A sensor where a gather ray has hit, on the side that it met.

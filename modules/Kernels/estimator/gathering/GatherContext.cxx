@@ -54,6 +54,23 @@ double GatherContext::startShare(int trajectories, int blockSize) const
   return 1 / (trajectories * std::min(1.0, blockSize / (this->Density.starts() * trajectories)));
 }
 
+double GatherContext::luminaireShare(const Sensor& at, std::size_t luminaire, double ratio) const
+{
+  if (std::isinf(ratio))
+    return 1;
+  const double more = this->firstHitDensity(at, luminaire) / this->vertexDensity(at);
+  return more > 1 ? gatheredShare(ratio / more) / gatheredShare(ratio) : 1;
+}
+
+Bands GatherContext::luminaireLight(const Sensor& sensor, SampleStream& random) const
+{
+  Bands light = this->Luminaires.sample(sensor, random);
+  const Bands images = this->Mirrored.any() ? this->Mirrored.illuminance(sensor) : Bands{};
+  for (int b = 0; b < this->Scene_.bands(); ++b)
+    light[b] += images[b];
+  return light;
+}
+
 void GatherContext::luminaireLight(const Sensor* sensors, int count, bool afar, SampleStream& random,
                                    DirectLight::Sample* samples) const
 {

@@ -62,6 +62,13 @@ public:
     return this->Source.firstHitDensity(luminaire, at.position, at.normal);
   }
 
+  /// The MIS weight of gather rays for the direct light of a luminaire over that for other light, where the latter is
+  /// formed with `ratio` = G/G*: the vertices of the luminaire may be denser than the pilot says.
+  double luminaireShare(const Sensor& at, std::size_t luminaire, double ratio) const;
+
+  /// All light of luminaires at a sensor: direct, with one shadow ray, and by mirrors.
+  Bands luminaireLight(const Sensor& sensor, SampleStream& random) const;
+
   /// The direct light of one luminaire that is drawn at each of up to SegmentPacket::width sensors without BRDF, with
   /// one shadow ray. In single precision where `afar`: see DirectLight.
   void luminaireLight(const Sensor* sensors, int count, bool afar, SampleStream& random,

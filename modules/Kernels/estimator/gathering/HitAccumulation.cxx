@@ -37,7 +37,7 @@ void HitAccumulation::add(std::size_t tile, const GatherHits& gathered, const Ce
         const bool afar = std::none_of(&hit, &hit + count, [](const SurfaceHit& h) { return h.near; });
         this->Rays.luminaireLight(at, count, afar, random, luminaires);
       }
-      const HitLight light = this->lightOf(hit, at[i % width], luminaires[i % width], cells.indirect(hit));
+      const HitLight light = this->lightOf(hit, at[i % width], luminaires[i % width], cells);
       probes.note(hit, this->addHit(hit, at[i % width], light, group, found));
     }
     sums.sum += found.all;
@@ -48,11 +48,13 @@ void HitAccumulation::add(std::size_t tile, const GatherHits& gathered, const Ce
 }
 
 HitAccumulation::HitLight HitAccumulation::lightOf(const SurfaceHit& hit, const Sensor& at,
-                                                   const DirectLight::Sample& luminaires, const double* indirect) const
+                                                   const DirectLight::Sample& luminaires,
+                                                   const CellShading& cells) const
 {
   const Scene& scene = this->Rays.scene();
   const Material& material = scene.material(hit.side / 2);
   const bool lit = luminaires.light[0] > 0;
+  const double* indirect = cells.indirect(hit);
   HitLight light;
   if (this->Spots.any())
   {
@@ -74,6 +76,7 @@ HitAccumulation::HitLight HitAccumulation::lightOf(const SurfaceHit& hit, const 
   }
   for (int p = 0; p < light.parts; ++p)
     light.luminous[p] = photometric(light.part[p], scene.bands());
+  light.picks.add(cells.picks(hit), photometric(material.reflectance, scene.bands()));
   return light;
 }
 
@@ -106,6 +109,7 @@ double HitAccumulation::addHit(const SurfaceHit& hit, const Sensor& at, const Hi
     found.largest[k] =
         all >= 0 ? std::max(found.largest[k], all) : std::numeric_limits<double>::quiet_NaN();  // a NaN stays
     found.all += all;
+    found.picks[k].add(light.picks, weight[0]);
     taken += weight[0];
   }
   return taken;
@@ -119,6 +123,7 @@ void HitAccumulation::store(const ReceiverGroup& group, const GroupLight& found,
   {
     const std::size_t r = group.receiver(k);
     tally.noteScore(r, round.replicate, weight * found.largest[k]);
+    tally.picks(r, round.replicate).add(found.picks[k], weight);
     for (int b = 0; b < tally.bands(); ++b)
     {
       tally.total(r, round.replicate)[b] += weight * found.sum[k][b];

@@ -34,7 +34,8 @@ private:
     double rays;  // of the group per trajectory, as they count for G*
     Bands sum[ReceiverGroup::capacity] = {}, emission[ReceiverGroup::capacity] = {};
     double largest[ReceiverGroup::capacity] = {};  // luminous
-    double all = 0;                                // luminous, of all receivers
+    PickCount picks[ReceiverGroup::capacity];
+    double all = 0;  // luminous, of all receivers
   };
   // The light that leaves a hit, lx per band: reflected, emitted and, where it is split in another way than what is
   // reflected of other light, that of luminaires.
@@ -46,9 +47,10 @@ private:
     Bands part[mostParts] = {};
     BrightSpots::Split split[mostParts];
     double luminous[mostParts];
+    PickCount picks;  // for the cell
   };
   HitLight lightOf(const SurfaceHit& hit, const Sensor& at, const DirectLight::Sample& luminaires,
-                   const double* indirect) const;
+                   const CellShading& cells) const;
   double addHit(const SurfaceHit& hit, const Sensor& at, const HitLight& light, const ReceiverGroup& group,
                 GroupLight& found) const;
   void store(const ReceiverGroup& group, const GroupLight& found, const GatherRound& round, Tally& tally) const;

@@ -16,12 +16,13 @@ void addVertexScores(const GatherContext& gathering, const LightVertices& pool, 
                      bool exactMeshes, RandomStream random, std::size_t r, int replicate, Tally& tally)
 {
   const RayScene* rays = gathering.shadows() ? &gathering.scene().rays() : nullptr;
+  PickCount& counted = tally.picks(r, replicate);
   auto score = [&](const VertexSet& set, double* sum) {
     for (std::size_t begin = 0; begin < set.size(); begin += VertexTile::capacity)
     {
       const auto count = static_cast<int>(std::min<std::size_t>(VertexTile::capacity, set.size() - begin));
       const int picks = gathering.shadowsEveryPair() ? 0 : (count + verticesPerPick - 1) / verticesPerPick;
-      const ShadowPicks shadows{rays, picks, random.next()};
+      const ShadowPicks shadows{rays, picks, random.next(), &counted};
       tally.noteScore(r, replicate, addResampledScores(set, begin, count, sensor, share, shadows, sum));
     }
   };

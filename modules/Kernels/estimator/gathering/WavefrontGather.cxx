@@ -33,6 +33,7 @@ std::size_t WavefrontGather::add(const Sensor& sensor, const Start& start, const
                          first,
                          {}});
   this->Found.resize(2 * this->Count * this->Paths.size(), 0);
+  this->Picked.emplace_back();
   return this->Paths.size() - 1;
 }
 
@@ -57,7 +58,7 @@ std::size_t WavefrontGather::indirectLight(const Sensor& sensor, bool doublePrec
 {
   const double share = this->Rays.blockShare(this->Pool.trajectories, cellBlock);
   const std::size_t i = this->add(sensor, {share, true, doublePrecision}, random, false);
-  this->addVertices(i, cellBlock);
+  this->addVertices(i, cellBlock, true);
   this->Active.push_back(i);
   return i;
 }
@@ -95,6 +96,7 @@ void WavefrontGather::clear()
 {
   this->Paths.clear();
   this->Found.clear();
+  this->Picked.clear();
 }
 
 bool WavefrontGather::draw(PathState& path) const
@@ -211,32 +213,27 @@ void WavefrontGather::addLuminaires(std::size_t i, double ratio)
   Bands known{};
   if (this->Rays.luminaires().sampleUnshadowed(path.at, path.random, sample, known))
   {
-    // The throughput has the MIS weight for the pilot's density of vertices; those of the luminaire may be denser.
-    if (!path.at.brdf && !std::isinf(ratio))
-    {
-      const double more = this->Rays.firstHitDensity(path.at, sample.luminaire) / this->Rays.vertexDensity(path.at);
-      const double share = more > 1 ? gatheredShare(ratio / more) / gatheredShare(ratio) : 1;
-      for (std::size_t b = 0; b < this->Count; ++b)
-        sample.light[b] *= share;
-    }
+    const double share = path.at.brdf ? 1 : this->Rays.luminaireShare(path.at, sample.luminaire, ratio);
+    for (std::size_t b = 0; b < this->Count; ++b)
+      sample.light[b] *= share;
     this->addIfSeen(i, sample.target, sample.light);
   }
   if (path.at.brdf)
     this->addWeighted(i, known);
 }
 
-void WavefrontGather::addVertices(std::size_t i, int blockSize)
+void WavefrontGather::addVertices(std::size_t i, int blockSize, bool counted)
 {
   const LightVertices& pool = *this->Pool.vertices;
   const int trajectories = this->Pool.trajectories;
   if (!this->Rays.pathsOnly())
     for (const VertexSet* set : {&pool.reflected, &pool.glossy})
-      this->addBlock(i, *set, blockSize, this->Rays.blockShare(trajectories, blockSize));
+      this->addBlock(i, *set, blockSize, this->Rays.blockShare(trajectories, blockSize), counted);
   if (this->Rays.usesStarts())
-    this->addBlock(i, pool.emitted, blockSize, this->Rays.startShare(trajectories, blockSize));
+    this->addBlock(i, pool.emitted, blockSize, this->Rays.startShare(trajectories, blockSize), counted);
 }
 
-void WavefrontGather::addBlock(std::size_t i, const VertexSet& set, int blockSize, double share)
+void WavefrontGather::addBlock(std::size_t i, const VertexSet& set, int blockSize, double share, bool counted)
 {
   if (set.size() == 0)
     return;
@@ -246,13 +243,13 @@ void WavefrontGather::addBlock(std::size_t i, const VertexSet& set, int blockSiz
   const auto begin = static_cast<std::size_t>(this->Paths[i].random.next() * static_cast<double>(set.size()));
   const std::size_t straight = std::min(size, set.size() - begin);
   const double weight = static_cast<double>(set.size()) / static_cast<double>(size) / this->Pool.trajectories;
-  this->addRun(i, set, begin, straight, share, weight);
+  this->addRun(i, set, begin, straight, share, weight, counted);
   if (straight < size)
-    this->addRun(i, set, 0, size - straight, share, weight);
+    this->addRun(i, set, 0, size - straight, share, weight, counted);
 }
 
 void WavefrontGather::addRun(std::size_t i, const VertexSet& set, std::size_t begin, std::size_t count, double share,
-                             double weight)
+                             double weight, bool counted)
 {
   PathState& path = this->Paths[i];
   const double u = path.random.next();
@@ -270,7 +267,7 @@ void WavefrontGather::addRun(std::size_t i, const VertexSet& set, std::size_t be
   for (std::size_t b = 0; b < this->Count; ++b)
     pick.light[b] *= weight;
   if (picks)
-    this->addIfSeen(i, pick.target, pick.light);
+    this->addIfSeen(i, pick.target, pick.light, counted);
   else
     this->addWeighted(i, pick.light);
 }
@@ -281,26 +278,23 @@ void WavefrontGather::addWeighted(std::size_t i, const Bands& light)
     this->found(i)[b] += this->Paths[i].throughput[b] * light[b];
 }
 
-void WavefrontGather::addIfSeen(std::size_t i, const RayAnchor& target, const Bands& light)
+void WavefrontGather::addIfSeen(std::size_t i, const RayAnchor& target, const Bands& light, bool counted)
 {
   const PathState& path = this->Paths[i];
   // A NaN skips the shadow test, so that checkFinite() reports it.
   if (!this->Rays.shadows() || std::isnan(light[0]))
     return this->addWeighted(i, light);
-  this->Shadows.push_back({path.at.anchor, target, path.doublePrecision});
-  this->PendingPath.push_back(i);
-  for (std::size_t b = 0; b < this->Count; ++b)
-    this->PendingContributions.push_back(path.throughput[b] * light[b]);
+  this->Pending.add(i, {path.at.anchor, target, path.doublePrecision}, path.throughput, light, counted);
+  if (counted)
+    this->Picked[i].add({photometric(light, static_cast<int>(this->Count)), 1, 0});
 }
 
 void WavefrontGather::addSeen()
 {
-  shadowTogether(this->Rays.scene().rays(), this->Shadows);
-  for (std::size_t k = 0; k < this->Shadows.size(); ++k)
-    for (std::size_t b = 0; b < this->Count && !this->Shadows[k].hidden; ++b)
-      this->found(this->PendingPath[k])[b] += this->PendingContributions[k * this->Count + b];
-  this->Shadows.clear();
-  this->PendingContributions.clear();
-  this->PendingPath.clear();
+  this->Pending.settle(this->Rays.scene().rays(), [this](std::size_t i, const double* light, bool counted) {
+    for (std::size_t b = 0; b < this->Count; ++b)
+      this->found(i)[b] += light[b];
+    this->Picked[i].seen += counted ? 1 : 0;
+  });
 }
 }  // namespace kalos

@@ -7,7 +7,8 @@
 #define kalos_estimator_gathering_WavefrontGather_h
 
 #include "estimator/gathering/GatherContext.h"
-#include "scene/RayBatch.h"
+#include "estimator/gathering/PendingLight.h"
+#include "estimator/kernel/PickCount.h"
 
 namespace kalos
 {
@@ -20,7 +21,8 @@ public:
         Pool(pool),
         Count(static_cast<std::size_t>(gathering.scene().bands())),
         Later(gathering.blockShare(pool.trajectories, rayBlock)),
-        LaterStarts(gathering.startShare(pool.trajectories, rayBlock))
+        LaterStarts(gathering.startShare(pool.trajectories, rayBlock)),
+        Pending(Count)
   {
   }
 
@@ -54,6 +56,9 @@ public:
   const double* light(std::size_t i) const { return &this->Found[2 * i * this->Count]; }
   const double* emission(std::size_t i) const { return &this->Found[(2 * i + 1) * this->Count]; }
 
+  /// What picks of the block of vertices of an indirectLight() have seen, lx.
+  const PickCount& picks(std::size_t i) const { return this->Picked[i]; }
+
 private:
   // Vertices scored where a gather ray ends, and for an estimate that many rays share. One of a block is picked for the
   // shadow ray, so that a larger block is hardly less noisy: of 16, 64 and 256, 64 took 6 % less time than the others
@@ -83,12 +88,14 @@ private:
   bool survives(PathState& path) const;
   // `ratio`: G/G* of the segment that led to the sensor.
   void addLuminaires(std::size_t i, double ratio);
-  void addVertices(std::size_t i, int blockSize);
-  void addBlock(std::size_t i, const VertexSet& set, int blockSize, double share);
-  void addRun(std::size_t i, const VertexSet& set, std::size_t begin, std::size_t count, double share, double weight);
+  void addVertices(std::size_t i, int blockSize, bool counted = false);
+  // `counted`: in Picked.
+  void addBlock(std::size_t i, const VertexSet& set, int blockSize, double share, bool counted);
+  void addRun(std::size_t i, const VertexSet& set, std::size_t begin, std::size_t count, double share, double weight,
+              bool counted);
   double* found(std::size_t i) { return &this->Found[2 * i * this->Count]; }
   void addWeighted(std::size_t i, const Bands& light);
-  void addIfSeen(std::size_t i, const RayAnchor& target, const Bands& light);
+  void addIfSeen(std::size_t i, const RayAnchor& target, const Bands& light, bool counted = false);
   void addSeen();
 
   const GatherContext& Rays;
@@ -96,11 +103,10 @@ private:
   std::size_t Count;          // of bands
   double Later, LaterStarts;  // shares of the rays after the first
   std::vector<PathState> Paths;
-  std::vector<double> Found;                 // light and emission, by each
-  std::vector<std::size_t> Active;           // indices of paths that have not ended
-  std::vector<ShadowRay> Shadows;            // to be traced
-  std::vector<double> PendingContributions;  // contribution of each shadow ray
-  std::vector<std::size_t> PendingPath;      // path of each shadow ray
+  std::vector<PickCount> Picked;    // by path
+  std::vector<double> Found;        // light and emission, by each
+  std::vector<std::size_t> Active;  // indices of paths that have not ended
+  PendingLight Pending;
 };
 }  // namespace kalos
 

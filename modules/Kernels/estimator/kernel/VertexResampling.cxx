@@ -84,6 +84,16 @@ std::uint64_t hiddenVertices(const RayScene& rays, const VertexSet& v, const Sen
   return hidden;
 }
 
+void countPicks(const Picks& picks, std::uint64_t hidden, double total, const ShadowPicks& shadows)
+{
+  if (!shadows.counted)
+    return;
+  shadows.counted->possible += total;
+  shadows.counted->tried += picks.count;
+  for (int k = 0; k < picks.count; ++k)
+    shadows.counted->seen += hidden >> k & 1 ? 0 : 1;
+}
+
 // A non-finite total becomes NaN in the sums and in the score, so that checkFinite() reports it.
 double addNone(std::size_t bands, double* sum)
 {
@@ -126,6 +136,7 @@ double addPickedPairs(const VertexSet& v, const Sensor& sensor, PairBlock& block
   for (int k = 0; k < picks.count; ++k)
     vertices[k] = block.index[picks.index[k]];
   const std::uint64_t hidden = hiddenVertices(*shadows.rays, v, sensor, vertices, picks.count);
+  countPicks(picks, hidden, total, shadows);
   for (int k = 0; k < picks.count; ++k)
   {
     if (hidden >> k & 1)
@@ -225,6 +236,7 @@ double addResampledScores(const VertexSet& v, std::size_t begin, int count, cons
   for (int k = 0; k < picks.count; ++k)
     vertices[k] = static_cast<int>(begin) + picks.index[k];
   const std::uint64_t hidden = hiddenVertices(*shadows.rays, v, sensor, vertices, picks.count);
+  countPicks(picks, hidden, total, shadows);
   for (int k = 0; k < picks.count; ++k)
   {
     if (hidden >> k & 1)

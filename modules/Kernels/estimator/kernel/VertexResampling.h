@@ -6,12 +6,13 @@
 #define kalos_estimator_kernel_VertexResampling_h
 
 #include "estimator/kernel/PairKernel.h"
+#include "estimator/kernel/PickCount.h"
 
 namespace kalos
 {
 /// How shadow rays are spent on a tile: `rays` null where nothing can occlude, else at most `picks` (1..mostPicks) of
 /// them go to pairs picked in proportion to their luminous scores, systematically from one random number u in [0,1);
-/// one to every pair that scores where picks = 0.
+/// one to every pair that scores where picks = 0. `counted`: where to count what picks have seen, or null.
 struct ShadowPicks
 {
   static constexpr int mostPicks = 4 * SegmentPacket::width;
@@ -19,6 +20,7 @@ struct ShadowPicks
   const RayScene* rays;
   int picks;
   double u;
+  PickCount* counted = nullptr;
 };
 
 /// An unbiased estimate of formPairs(), keepVisible() and addScores() together, for a tile of count <=

@@ -182,6 +182,8 @@ void Solve::conclude()
   for (std::size_t r = 0; r < tally.receivers(); ++r)
     result.trusted.push_back(tailIsLight(result.largestScoreShare[r], tally.largestStandsOut(r),
                                          {result.illuminance[r], result.standardError[r]}) &&
+                             hiddenIsLittle(tally.picks(r), static_cast<double>(result.trajectories),
+                                            {result.illuminance[r], result.standardError[r]}) &&
                              run.estimator->trusts(r, tally.trajectories(r, run.done) * tally.replicates()));
   run.schedule.goal().judge(result);
 }

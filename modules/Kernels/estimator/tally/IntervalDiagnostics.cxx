@@ -23,6 +23,16 @@ double nearKernel(const Scene& scene, const Sensor& sensor)
   return kernels[2];
 }
 
+bool hiddenIsLittle(const PickCount& picks, double samples, const MeanAndError& estimate)
+{
+  constexpr double enough = 16, little = 0.05;
+  if (picks.seen >= enough || !(picks.tried > 0))
+    return true;
+  const double perPick = picks.possible / picks.tried / samples;
+  return (3 + 1.7 * std::sqrt(picks.seen)) * perPick <=
+         std::max(2 * estimate.standardError, little * std::abs(estimate.mean));
+}
+
 bool nearFieldIsSeen(double nearKernel, double density)
 {
   return density >= 10 * nearKernel;

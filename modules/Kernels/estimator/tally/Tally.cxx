@@ -17,6 +17,7 @@ Tally::Tally(const Scene& scene, std::size_t receivers, int replicates)
       Direct(receivers * replicates * BandCount),
       Correction(receivers * replicates),
       Largest(receivers * replicates),
+      Picked(receivers * replicates),
       Converged(receivers),
       Missed(receivers),
       Active(receivers)
@@ -32,6 +33,8 @@ void Tally::exchange(const Ranks& ranks)
       {
         visit(this->Correction[i]);
         visit(this->Largest[i]);
+        for (double* value : {&this->Picked[i].possible, &this->Picked[i].tried, &this->Picked[i].seen})
+          visit(*value);
         for (std::size_t b = i * this->BandCount; b < (i + 1) * this->BandCount; ++b)
         {
           visit(this->Total[b]);
@@ -61,6 +64,7 @@ void Tally::keepConverged(long long first, int count)
       const std::size_t i = r * this->Replicates + p;
       this->Correction[i] *= grown;
       this->Largest[i] *= grown;
+      this->Picked[i].possible *= grown;
       for (int b = 0; b < this->BandCount; ++b)
       {
         this->total(r, p)[b] *= grown;
@@ -84,6 +88,7 @@ void Tally::persist(Archive& archive)
 {
   for (std::vector<double>* sums : {&this->Fixed, &this->Total, &this->Direct, &this->Correction, &this->Largest})
     archive.array(*sums);
+  archive.array(this->Picked);
   archive.array(this->Missed);
   this->Energy.persist(archive);
 }
@@ -113,6 +118,14 @@ double Tally::largestShare(std::size_t receiver, long long n) const
   const double largest = *std::max_element(first, first + this->Replicates);
   const double sum = this->summary(receiver, n).mean * static_cast<double>(n) * this->Replicates;
   return sum > 0 ? std::min(1.0, largest / sum) : 0;
+}
+
+PickCount Tally::picks(std::size_t receiver) const
+{
+  PickCount all;
+  for (int p = 0; p < this->Replicates; ++p)
+    all.add(this->Picked[receiver * this->Replicates + p]);
+  return all;
 }
 
 bool Tally::largestStandsOut(std::size_t receiver) const

@@ -9,6 +9,7 @@
 #include "estimator/control/Ranks.h"
 #include "estimator/control/Receivers.h"
 #include "estimator/control/Result.h"
+#include "estimator/kernel/PickCount.h"
 #include "estimator/tracing/EnergyBalance.h"
 #include "photometry/Bands.h"
 #include "statistics/Replicates.h"
@@ -52,6 +53,13 @@ public:
     double& largest = this->Largest[receiver * this->Replicates + replicate];
     largest = score >= 0 ? std::max(largest, score) : std::numeric_limits<double>::quiet_NaN();
   }
+
+  /// What picks of vertices have seen, for the receiver or for what its gather rays find.
+  PickCount& picks(std::size_t receiver, int replicate)
+  {
+    return this->Picked[receiver * this->Replicates + replicate];
+  }
+  PickCount picks(std::size_t receiver) const;  ///< of all replicates
 
   double largest(std::size_t receiver, int replicate) const
   {
@@ -106,6 +114,7 @@ private:
   int Replicates, BandCount;
   EnergyBalance Energy;
   std::vector<double> Fixed, Total, Direct, Correction, Largest;
+  std::vector<PickCount> Picked;
   std::vector<char> Converged;    // per receiver
   std::vector<long long> Missed;  // trajectories of a replicate that it skipped
   std::size_t Active;
