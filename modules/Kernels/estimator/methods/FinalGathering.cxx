@@ -120,7 +120,7 @@ bool FinalGathering::addReplicates(Workers::Replicates some, std::vector<CellSha
   std::vector<LightVertices> spots(static_cast<std::size_t>(some.last - some.first));
   going = going && workers.forEachReplicate(some, 1, [&](int p, std::size_t) {
     spots[static_cast<std::size_t>(p - some.first)] = this->Spots.select(
-        *round[p].round().pool.vertices, 0x1.0p-64 * static_cast<double>(mixBits(round[p].round().seed)));
+        *round[p].round().pool.vertices, 0x1.0p-53 * static_cast<double>(mixBits(round[p].round().seed) >> 11));
   });
   going = going && workers.forEachReplicate(some, tiles, [&](int p, std::size_t tile) {
     this->Accumulation.add(tile, hitsOf(tile, p), round[p], tally, this->Check.of(tile, p));

@@ -5,9 +5,9 @@
 //
 // A round has four phases: gather rays leave the receivers (estimator/gathering/GatherHitTracer.h); their hits are
 // sorted into cells, and each cell gets one unbiased estimate of its indirect light (CellShading.h); the hits light the
-// receiver that found them and its neighbours (HitAccumulation.h). Luminaires are evaluated at each hit. Cells are
-// wider when there are fewer rays, and shrink with the viewing distance, so they are small near an edge; a cell with
-// one hit shares nothing.
+// receiver that found them and its neighbours (HitAccumulation.h). Luminaires are evaluated at each hit. Light vertices
+// take the share of what rays would find only by luck, beside lamps (BrightSpots.h). Cells are wider when there are
+// fewer rays, and shrink with the viewing distance, so they are small near an edge; a cell with one hit shares nothing.
 //
 // Bias: almost none in the mean over the receivers that share a cell, but light is blurred over the cell. It is second
 // order in the cell's width over its distance. It is measured (InterpolationCheck.h), and audit() reports it. Each
