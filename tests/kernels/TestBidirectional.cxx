@@ -2,7 +2,7 @@
 // Bidirectional path tracing: the ways to join two halves share every path, and each column alone finds all light.
 #include <gtest/gtest.h>
 
-#include "Rooms.h"
+#include "MirrorAndGloss.h"
 #include "estimator/solve/Solver.h"
 #include "statistics/Replicates.h"
 
@@ -59,15 +59,7 @@ SceneDescription shinyRoom()
   panel.sideV = {0, 0.5, 0};
   panel.flux = 2000;
   room.luminaires.push_back(panel);
-  Material mirror, gloss;
-  mirror.mirror = 0.8;
-  gloss.reflectance = uniformBands(0.2);
-  gloss.specular = 0.5;
-  gloss.roughness = 0.4;
-  room.materials.push_back(mirror);
-  rooms::addQuad(room, {0.5, 0.02, 0.5}, {0, 0, 2}, {2, 0, 0}, 2);
-  room.materials.push_back(gloss);
-  rooms::addQuad(room, {4.98, 0.5, 0.5}, {0, 0, 3}, {0, 3, 0}, 3);
+  rooms::addMirrorAndGloss(room);
   return room;
 }
 }  // namespace

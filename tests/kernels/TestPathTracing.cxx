@@ -2,7 +2,7 @@
 // Path tracing finds the same light as the methods with vertices, by luminaires, emitting meshes, gloss and mirrors.
 #include <gtest/gtest.h>
 
-#include "Rooms.h"
+#include "MirrorAndGloss.h"
 #include "estimator/solve/Solver.h"
 #include "statistics/Replicates.h"
 
@@ -59,15 +59,7 @@ SceneDescription shinyRoom(double panel)
   SceneDescription room = rooms::furnishedRoom(0.5);
   rooms::addQuad(room, {1, 3, 4.9}, {0, panel, 0}, {panel, 0, 0},
                  rooms::addMaterial(room, 0.3, 1000 / (panel * panel)));
-  Material mirror, gloss;
-  mirror.mirror = 0.8;
-  gloss.reflectance = uniformBands(0.2);
-  gloss.specular = 0.5;
-  gloss.roughness = 0.4;
-  room.materials.push_back(mirror);
-  rooms::addQuad(room, {0.5, 0.02, 0.5}, {0, 0, 2}, {2, 0, 0}, 2);
-  room.materials.push_back(gloss);
-  rooms::addQuad(room, {4.98, 0.5, 0.5}, {0, 0, 3}, {0, 3, 0}, 3);
+  rooms::addMirrorAndGloss(room);
   return room;
 }
 }  // namespace
